@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AlgorithmExecution.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
+
+namespace hashedoctree
+{
+namespace
+{
+bool IsAborted(vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return algorithm->CheckAbort();
+#else
+  return algorithm->GetAbortExecute() != 0;
+#endif
+}
+}
+
+Execution MakeExecution(vtkAlgorithm* algorithm)
+{
+  return Execution(
+    [](std::size_t first, std::size_t last, std::size_t grain, const Execution::Body& body)
+    {
+      vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
+        static_cast<vtkIdType>(grain),
+        [&body](vtkIdType from, vtkIdType to)
+        { body(static_cast<std::size_t>(from), static_cast<std::size_t>(to)); });
+    },
+    [algorithm](double fraction)
+    {
+      algorithm->UpdateProgress(fraction);
+      return !IsAborted(algorithm);
+    });
+}
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef AlgorithmExecution_h
+#define AlgorithmExecution_h
+
+#include "Execution.h"
+
+class vtkAlgorithm;
+
+namespace hashedoctree
+{
+/** What a vtkAlgorithm lends to the core while it runs: vtkSMPTools as threads, UpdateProgress(),
+ * and the abort flag. Private to the module. */
+Execution MakeExecution(vtkAlgorithm* algorithm);
+}
+
+#endif

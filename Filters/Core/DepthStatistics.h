@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_DepthStatistics_h
+#define hashedoctree_DepthStatistics_h
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hashedoctree
+{
+/** How often a leaf is searched for (paper section 4): once (Leaves), once for each of its points
+ * (Points), or in proportion to its volume (Grid). */
+enum class FrequencyModel
+{
+  Leaves,
+  Points,
+  Grid
+};
+
+/** A weight for each depth, from 0 to the deepest: the paper's p_l * f_l, as exact integers. */
+using DepthHistogram = std::vector<std::uint64_t>;
+
+/** What a tree has at each depth, from 0 to the deepest; the three histograms have one length. */
+struct DepthCounts
+{
+  DepthHistogram Leaves;      ///< All leaves, empty ones too.
+  DepthHistogram EmptyLeaves; ///< Leaves without points.
+  DepthHistogram Points;      ///< Points in the leaves.
+
+  /** A root that is an empty leaf. */
+  static DepthCounts OfEmptyTree() { return DepthCounts{ { 1 }, { 1 }, { 0 } }; }
+};
+
+/**
+ * The histogram of a frequency model. Grid weighs a leaf by the cells of the deepest depth that it
+ * covers, 2^(dimension * (deepest - depth)), so that the weights of a complete tree add up to
+ * 2^(dimension * deepest), below 2^64 in every dimension.
+ */
+DepthHistogram GetDepthHistogram(const DepthCounts& counts, FrequencyModel model, int dimension);
+
+/**
+ * Mean number of nodes that a direct search examines when it starts at `startDepth`: a leaf at
+ * depth l costs 1 + |l - startDepth| (paper section 4, with the weights normalised, E7). Any start
+ * depth from 0 on, also below the deepest leaf. 0 for a histogram of no weight.
+ */
+double GetMeanCost(const DepthHistogram& histogram, int startDepth);
+
+/**
+ * The weighted median of the depths, which costs the least (paper section 4): the smallest depth
+ * up to which lies at least half of the weight. Where exactly half lies up to it, the next depth
+ * with weight, and all between, cost the same (E23). 0 for a histogram of no weight.
+ */
+int GetMedianDepth(const DepthHistogram& histogram);
+
+/** The weighted mean of the depths to the nearest integer, halves upwards: the paper's cheaper
+ * estimate of the median. 0 for a histogram of no weight. */
+int GetMeanDepth(const DepthHistogram& histogram);
+
+/** A start depth with the least mean cost, found by trying all; the smallest of equals. */
+int GetCheapestStartDepth(const DepthHistogram& histogram);
+}
+
+#endif

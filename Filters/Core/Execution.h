@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_Execution_h
+#define hashedoctree_Execution_h
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <utility>
+
+namespace hashedoctree
+{
+/** Thrown out of a long computation when its caller asked it to stop. */
+struct Interrupted
+{
+};
+
+/**
+ * What a long computation borrows from its caller: threads, and a place to report progress.
+ *
+ * The library has no threads of its own. A ParallelFor calls body(first, last) on parts of the
+ * range that it is given, of at least `grain` items each but for the last one, from any threads
+ * it likes, and returns when all parts are done.
+ *
+ * Progress is told a fraction in [0, 1] that never falls, always on the thread that called For(),
+ * and answers whether to go on; when it answers no, For() throws Interrupted. For() runs
+ * BatchGrains grains between two reports, so that a stop is heeded soon.
+ */
+class Execution
+{
+public:
+  using Body = std::function<void(std::size_t first, std::size_t last)>;
+  using ParallelFor =
+    std::function<void(std::size_t first, std::size_t last, std::size_t grain, const Body& body)>;
+  using Progress = std::function<bool(double fraction)>;
+
+  /** Grains between two reports of progress. */
+  static constexpr std::size_t BatchGrains = 64;
+
+  /** One thread, no reports. */
+  Execution()
+    : Execution([](std::size_t first, std::size_t last, std::size_t, const Body& body)
+        { body(first, last); })
+  {
+  }
+  explicit Execution(ParallelFor parallelFor, Progress progress = {})
+    : Threads(std::move(parallelFor))
+    , Report(std::move(progress))
+  {
+  }
+
+  /** The same threads for a part of the run: its [0, 1] is [from, to] of this one. */
+  Execution Part(double from, double to) const
+  {
+    if (!this->Report)
+    {
+      return Execution(this->Threads);
+    }
+    return Execution(this->Threads,
+      [report = this->Report, from, to](double fraction)
+      { return report(from + (to - from) * fraction); });
+  }
+
+  /** Calls body on parts of [0, count), batch by batch, while progress moves from `from` to `to`.
+   */
+  void For(std::size_t count, std::size_t grain, const Body& body, double from = 0.0,
+    double to = 1.0) const
+  {
+    const std::size_t batch = grain * BatchGrains;
+    for (std::size_t first = 0; first < count; first += batch)
+    {
+      const std::size_t last = std::min(count, first + batch);
+      this->Threads(first, last, grain, body);
+      this->Tell(from + (to - from) * static_cast<double>(last) / static_cast<double>(count));
+    }
+  }
+
+  /** Reports progress; throws Interrupted when the caller wants no more. */
+  void Tell(double fraction) const
+  {
+    if (this->Report && !this->Report(fraction))
+    {
+      throw Interrupted();
+    }
+  }
+
+private:
+  ParallelFor Threads;
+  Progress Report;
+};
+}
+
+#endif

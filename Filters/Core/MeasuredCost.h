@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_MeasuredCost_h
+#define hashedoctree_MeasuredCost_h
+
+#include "DirectSearch.h"
+
+#include <vector>
+
+namespace hashedoctree
+{
+/** Mean number of nodes that counted searches examined, for each start depth from 0 to the tree's
+ * deepest. Nothing in it comes from the cost model. */
+struct MeasuredCost
+{
+  std::vector<double> Leaves; ///< Every leaf searched for once, empty ones too.
+  std::vector<double> Points; ///< Every point searched for once; 0 for a tree of no points.
+};
+
+/**
+ * Searches for every leaf of the tree from every start depth and counts. The points of a leaf share
+ * its path, so one search stands for all of them. O(leaves * depths) searches. Throws Interrupted.
+ */
+template <int Dim>
+MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution);
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_NodeCorners_h
+#define hashedoctree_NodeCorners_h
+
+#include "Octree.h"
+
+#include <cstdint>
+
+namespace hashedoctree
+{
+/**
+ * The corners of nodes, each numbered once, so that nodes of any depth that touch at a corner share
+ * it. Corners are told apart by their integer coordinates in the grid of MaxDepth, never by
+ * distances.
+ */
+template <int Dim>
+class NodeCorners
+{
+public:
+  static constexpr unsigned CornersOfNode = 1U << Dim;
+
+  /**
+   * Numbers the corners of `nodes` in the order in which they are met. Writes CornersOfNode numbers
+   * for each node to `connectivity`; bit a of a corner's place in its node says that it is the
+   * upper one on axis a, so the first axis is the LOW bit, as in a VTK_VOXEL. O(nodes), one thread.
+   * Throws Interrupted. Instantiated for long and long long.
+   */
+  template <typename Integer>
+  NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes, Integer* connectivity,
+    const Execution& execution);
+
+  std::size_t GetNumberOfCorners() const { return this->Count; }
+
+  /** Integer coordinates of a corner, each in [0, 2^MaxDepth]; see Grid::GetCorner(). */
+  Cell<Dim> GetCorner(std::size_t corner) const;
+
+private:
+  static std::uint64_t Code(const Cell<Dim>& corner);
+
+  Buffer<std::uint64_t> Codes; ///< Of each corner; sized for the most there can be.
+  std::size_t Count = 0;
+};
+}
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NodeList.h"
+
+#include <vector>
+
+namespace hashedoctree
+{
+template <int Dim>
+Buffer<typename Octree<Dim>::Node> ListNodes(
+  const Octree<Dim>& tree, NodeListOptions options, const Execution& execution)
+{
+  using Node = typename Octree<Dim>::Node;
+  constexpr std::size_t chunkSize = 8192;
+  const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
+  const std::size_t numberOfChunks = (numberOfBlocks + chunkSize - 1) / chunkSize;
+  const auto isListed = [options](const Node& node)
+  { return node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty(); };
+  // Calls function(chunk, node) for the listed children of all blocks, a chunk on one thread.
+  const auto forChildren = [&](double from, double to, const auto& function)
+  {
+    const auto body = [&](std::size_t firstChunk, std::size_t lastChunk)
+    {
+      for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+      {
+        const std::size_t last = std::min(numberOfBlocks, (chunk + 1) * chunkSize);
+        for (std::size_t block = chunk * chunkSize; block < last; ++block)
+        {
+          for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+          {
+            const Node child = tree.GetChild(block, octant);
+            if (isListed(child))
+            {
+              function(chunk, child);
+            }
+          }
+        }
+      }
+    };
+    execution.For(numberOfChunks, 1, body, from, to);
+  };
+
+  std::vector<std::size_t> counts(numberOfChunks, 0);
+  forChildren(0.0, 0.5, [&](std::size_t chunk, const Node&) { ++counts[chunk]; });
+
+  const bool rootIsListed = isListed(tree.GetRoot());
+  std::size_t total = rootIsListed ? 1 : 0;
+  for (std::size_t& count : counts)
+  {
+    const std::size_t here = count;
+    count = total;
+    total += here;
+  }
+
+  Buffer<Node> nodes(total);
+  if (rootIsListed)
+  {
+    nodes[0] = tree.GetRoot();
+  }
+  forChildren(
+    0.5, 1.0, [&](std::size_t chunk, const Node& child) { nodes[counts[chunk]++] = child; });
+  return nodes;
+}
+
+template Buffer<Octree<1>::Node> ListNodes(const Octree<1>&, NodeListOptions, const Execution&);
+template Buffer<Octree<2>::Node> ListNodes(const Octree<2>&, NodeListOptions, const Execution&);
+template Buffer<Octree<3>::Node> ListNodes(const Octree<3>&, NodeListOptions, const Execution&);
+template Buffer<Octree<4>::Node> ListNodes(const Octree<4>&, NodeListOptions, const Execution&);
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_NodeList_h
+#define hashedoctree_NodeList_h
+
+#include "Octree.h"
+
+namespace hashedoctree
+{
+/** Which nodes a list holds. Leaves with points are always in it. */
+struct NodeListOptions
+{
+  bool EmptyLeaves = false;
+  bool InternalNodes = false;
+};
+
+/** The nodes of a tree, ordered by depth, then by key. O(nodes). Throws Interrupted. */
+template <int Dim>
+Buffer<typename Octree<Dim>::Node> ListNodes(
+  const Octree<Dim>& tree, NodeListOptions options, const Execution& execution);
+}
+
+#endif

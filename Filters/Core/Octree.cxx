@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Octree.h"
+
+#include "OctreeBuilder.h"
+
+#include <numeric>
+
+namespace hashedoctree
+{
+template <int Dim>
+template <typename Real>
+Octree<Dim>::Octree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
+  const Options& options, const Execution& execution)
+  : BuildOptions(options)
+{
+  if (selection.GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  this->RootGrid = Grid<Dim>(selection.GetBox());
+  Buffer<CodedPoint<Dim>> coded =
+    EncodePoints(points, selection, this->RootGrid, execution.Part(0.0, 0.2));
+  SortAlongMortonCurve(coded, execution.Part(0.2, 0.5));
+  OctreeBuilder<Dim>(*this, coded).Build(execution.Part(0.5, 1.0));
+}
+
+template <int Dim>
+std::size_t Octree<Dim>::GetNumberOfLeaves(EmptyOctants reading) const
+{
+  const std::size_t all =
+    std::accumulate(this->Counts.Leaves.begin(), this->Counts.Leaves.end(), std::size_t(0));
+  return reading == EmptyOctants::Leaves ? all : all - this->GetNumberOfEmptyLeaves();
+}
+
+template <int Dim>
+std::size_t Octree<Dim>::GetNumberOfEmptyLeaves() const
+{
+  return std::accumulate(
+    this->Counts.EmptyLeaves.begin(), this->Counts.EmptyLeaves.end(), std::size_t(0));
+}
+
+template <int Dim>
+typename Octree<Dim>::Node Octree<Dim>::GetRoot() const
+{
+  return Node{ Key::Root(), 0, static_cast<std::uint32_t>(this->GetNumberOfPoints()),
+    this->IsRootInternal() };
+}
+
+template <int Dim>
+typename Octree<Dim>::Node Octree<Dim>::GetChild(std::size_t block, unsigned octant) const
+{
+  const Block& parent = this->Blocks[block];
+  return Node{ this->BlockKeys[block].GetChild(octant), parent.FirstPoint[octant],
+    parent.FirstPoint[octant + 1], (parent.Internal >> octant & 1U) != 0 };
+}
+
+template <int Dim>
+std::optional<typename Octree<Dim>::Node> Octree<Dim>::FindNode(Key key, EmptyOctants reading) const
+{
+  std::optional<Node> node;
+  if (key == Key::Root())
+  {
+    node = this->GetRoot();
+  }
+  else if (const Entry* parent = this->Table.Find(key.GetParent().GetValue()))
+  {
+    node = this->GetChild(parent->Block, key.GetOctant());
+  }
+  if (node && node->IsEmpty() && reading == EmptyOctants::Missing)
+  {
+    node.reset();
+  }
+  return node;
+}
+
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template class Octree<Dim>;                                                                      \
+  template Octree<Dim>::Octree(PointSpan<Dim, float>, const PointSelection<Dim>&,                  \
+    const Octree<Dim>::Options&, const Execution&);                                                \
+  template Octree<Dim>::Octree(PointSpan<Dim, double>, const PointSelection<Dim>&,                 \
+    const Octree<Dim>::Options&, const Execution&);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
+#undef HASHEDOCTREE_INSTANTIATE
+}

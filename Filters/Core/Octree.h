@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_Octree_h
+#define hashedoctree_Octree_h
+
+#include "Buffer.h"
+#include "DepthStatistics.h"
+#include "NodeTable.h"
+#include "PointSelection.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <type_traits>
+
+namespace hashedoctree
+{
+/** How the octants of an internal node that hold no point are read. */
+enum class EmptyOctants
+{
+  Leaves, ///< Complete tree: every internal node has 2^Dim children, empty leaves among them.
+  Missing ///< Sparse tree: there is no node, and a search ends in an empty cell (paper E4).
+};
+
+/** One bit for each octant. */
+template <int Dim>
+using OctantMask = std::conditional_t<Dim == 4, std::uint16_t, std::uint8_t>;
+
+/** Number of bits set in an octant mask. (The machine's own instruction is not in every x86-64.) */
+constexpr unsigned CountOctants(std::uint32_t mask)
+{
+  mask -= mask >> 1 & 0x5555U;
+  mask = (mask & 0x3333U) + (mask >> 2 & 0x3333U);
+  mask = (mask + (mask >> 4)) & 0x0f0fU;
+  return (mask + (mask >> 8)) & 0x1fU;
+}
+
+template <int Dim>
+class OctreeBuilder;
+
+/**
+ * A hashed octree over points (paper section 2), or the 2^Dim-tree of other dimensions.
+ *
+ * A node is split while it holds more than MaxPointsPerLeaf points and is not at MaxDepth. Only
+ * internal nodes are stored, each as one block that describes its 2^Dim children: which of them are
+ * internal, where these stand, and where the points of each child begin in the Morton order of the
+ * points. A leaf, empty or not, needs no memory of its own. Going down reads blocks; reaching a
+ * node directly by its key reads one slot of the table, under the key of the parent.
+ *
+ * Invariants (Invariants.h checks them):
+ * - blocks are ordered by depth, then by key, so parents come before children and the internal
+ *   children of a node stand side by side; block 0, if there is one, is the root's;
+ * - the point ranges of the children of a node partition its own range, in octant order;
+ * - the table holds the key of every block and nothing else.
+ *
+ * Immutable once built; const members may be called from many threads at once.
+ */
+template <int Dim>
+class Octree
+{
+public:
+  using Key = MortonKey<Dim>;
+  static constexpr unsigned NumberOfOctants = Key::NumberOfOctants;
+
+  struct Options
+  {
+    std::size_t MaxPointsPerLeaf = 1; ///< At least 1. More only in leaves at MaxDepth.
+    int MaxDepth = Key::MaxDepth;     ///< In [0, MortonKey::MaxDepth].
+  };
+
+  /** The children of an internal node. */
+  struct Block
+  {
+    std::uint32_t FirstChild; ///< Block of the first internal child; no meaning when there is none.
+    OctantMask<Dim> Internal; ///< Children that are internal nodes.
+    std::array<std::uint32_t, NumberOfOctants + 1>
+      FirstPoint; ///< Where each range begins and ends.
+  };
+
+  /** What the table tells of an internal node. */
+  struct Entry
+  {
+    std::uint32_t Block;
+    OctantMask<Dim> Internal; ///< As in the block.
+    OctantMask<Dim> Occupied; ///< Children that hold points.
+  };
+
+  /** Any node: its key and the range of its points in Morton order. */
+  struct Node
+  {
+    Key NodeKey;
+    std::uint32_t FirstPoint;
+    std::uint32_t LastPoint; ///< One past the last.
+    bool Internal;
+
+    std::uint32_t GetNumberOfPoints() const { return this->LastPoint - this->FirstPoint; }
+    bool IsEmpty() const { return this->FirstPoint == this->LastPoint; }
+  };
+
+  /** The tree of no points: one empty leaf. */
+  Octree() = default;
+
+  /**
+   * Builds the tree of the selected points: O(n) for n points, plus O(1) for each node. The box of
+   * the selection becomes the root (see Grid). Points are told apart by their cells at
+   * MortonKey::MaxDepth only. Instantiated for float and double. Throws std::length_error when the
+   * tree would have more internal nodes than 32 bits can number, and Interrupted.
+   */
+  template <typename Real>
+  Octree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection, const Options& options,
+    const Execution& execution);
+
+  const Grid<Dim>& GetGrid() const { return this->RootGrid; }
+  /** The options that the tree was built with. */
+  const Options& GetOptions() const { return this->BuildOptions; }
+  /** Leaves, empty leaves and points of each depth from 0 to the deepest. */
+  const DepthCounts& GetDepthCounts() const { return this->Counts; }
+  int GetDeepestDepth() const { return static_cast<int>(this->Counts.Leaves.size()) - 1; }
+
+  std::size_t GetNumberOfPoints() const { return this->PointIds.GetSize(); }
+  std::size_t GetNumberOfInternalNodes() const { return this->Blocks.GetSize(); }
+  /** Internal nodes and leaves; empty leaves count when they are read as leaves. */
+  std::size_t GetNumberOfNodes(EmptyOctants reading = EmptyOctants::Leaves) const
+  {
+    return this->GetNumberOfInternalNodes() + this->GetNumberOfLeaves(reading);
+  }
+  std::size_t GetNumberOfLeaves(EmptyOctants reading = EmptyOctants::Leaves) const;
+  std::size_t GetNumberOfEmptyLeaves() const;
+
+  /** Ids of the points in Morton order, equal keys by id: `GetNumberOfPoints()` values. */
+  const std::uint32_t* GetPointIds() const { return this->PointIds.GetData(); }
+  /** The blocks, and the keys of their nodes, in the same order. */
+  const Block& GetBlock(std::size_t block) const { return this->Blocks[block]; }
+  Key GetBlockKey(std::size_t block) const { return this->BlockKeys[block]; }
+  const NodeTable<Entry>& GetTable() const { return this->Table; }
+
+  bool IsRootInternal() const { return this->Blocks.GetSize() != 0; }
+  Node GetRoot() const;
+  /** A child of an internal node, which is always given in the complete reading. O(1). */
+  Node GetChild(std::size_t block, unsigned octant) const;
+  /** Block of an internal child. O(1), no table access. */
+  static std::uint32_t GetChildBlock(const Block& block, unsigned octant)
+  {
+    return block.FirstChild + CountOctants(block.Internal & ((1U << octant) - 1U));
+  }
+
+  /** The node of a key, or nothing where the tree has none: direct access by key, or by position
+   * and depth through Grid::GetKey() and MortonKey::AtDepth() (paper section 2). O(1). */
+  std::optional<Node> FindNode(Key key, EmptyOctants reading = EmptyOctants::Leaves) const;
+
+  /** Bytes of the tree itself: blocks, their keys and the table. */
+  std::size_t GetTreeBytes() const
+  {
+    return this->Blocks.GetBytes() + this->BlockKeys.GetBytes() +
+      (this->IsRootInternal() ? this->Table.GetBytes() : 0);
+  }
+  /** Bytes of the ids in Morton order. */
+  std::size_t GetOrderBytes() const { return this->PointIds.GetBytes(); }
+
+private:
+  friend class OctreeBuilder<Dim>;
+  Grid<Dim> RootGrid;
+  Options BuildOptions;
+  DepthCounts Counts = DepthCounts::OfEmptyTree();
+  Buffer<std::uint32_t> PointIds;
+  Buffer<Block> Blocks;
+  Buffer<Key> BlockKeys;
+  NodeTable<Entry> Table;
+};
+}
+
+#endif

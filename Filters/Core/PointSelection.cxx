@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSelection.h"
+
+#include <stdexcept>
+
+namespace hashedoctree
+{
+namespace
+{
+template <int Dim>
+void RequireValid(const Box<Dim>& box)
+{
+  for (int axis = 0; axis < Dim; ++axis)
+  {
+    const bool finite = std::abs(box.Lower[axis]) <= Grid<Dim>::MaxCoordinate &&
+      std::abs(box.Upper[axis]) <= Grid<Dim>::MaxCoordinate;
+    if (!finite || box.Lower[axis] > box.Upper[axis])
+    {
+      throw std::invalid_argument(
+        "The given bounds must be finite, and each lower one at most its upper one.");
+    }
+  }
+}
+
+template <int Dim>
+struct ChunkCensus
+{
+  Box<Dim> Bounds;
+  std::size_t Kept = 0;
+  std::size_t Skipped = 0;
+};
+}
+
+template <int Dim>
+template <typename Real>
+PointSelection<Dim>::PointSelection(
+  PointSpan<Dim, Real> points, const std::optional<Box<Dim>>& given, const Execution& execution)
+  : HasBox(given.has_value())
+{
+  if (points.Count > MaxNumberOfPoints)
+  {
+    throw std::length_error(
+      "There are more points than 32-bit ranges can number; split the data set.");
+  }
+  if (given)
+  {
+    RequireValid(*given);
+    this->Bounds = *given;
+  }
+
+  const std::size_t numberOfChunks = (points.Count + ChunkSize - 1) / ChunkSize;
+  std::vector<ChunkCensus<Dim>> census(numberOfChunks);
+  execution.For(numberOfChunks, 1,
+    [&](std::size_t firstChunk, std::size_t lastChunk)
+    {
+      for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+      {
+        ChunkCensus<Dim> local;
+        const std::size_t last = std::min(points.Count, (chunk + 1) * ChunkSize);
+        for (std::size_t i = chunk * ChunkSize; i < last; ++i)
+        {
+          const Real* x = points[i];
+          if (!IsFinite(x))
+          {
+            ++local.Skipped;
+          }
+          else if (!this->HasBox || this->IsInBox(x))
+          {
+            ++local.Kept;
+            for (int axis = 0; axis < Dim; ++axis)
+            {
+              const double coordinate = static_cast<double>(x[axis]);
+              local.Bounds.Lower[axis] = std::min(local.Bounds.Lower[axis], coordinate);
+              local.Bounds.Upper[axis] = std::max(local.Bounds.Upper[axis], coordinate);
+            }
+          }
+        }
+        census[chunk] = local;
+      }
+    });
+
+  this->FirstOfChunk.assign(1, 0);
+  this->FirstOfChunk.reserve(numberOfChunks + 1);
+  for (const ChunkCensus<Dim>& chunk : census)
+  {
+    this->FirstOfChunk.push_back(this->FirstOfChunk.back() + chunk.Kept);
+    this->Skipped += chunk.Skipped;
+    if (!this->HasBox)
+    {
+      this->Bounds.Add(chunk.Bounds);
+    }
+  }
+  this->Outside = points.Count - this->Skipped - this->GetNumberOfPoints();
+}
+
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template class PointSelection<Dim>;                                                              \
+  template PointSelection<Dim>::PointSelection(                                                    \
+    PointSpan<Dim, float>, const std::optional<Box<Dim>>&, const Execution&);                      \
+  template PointSelection<Dim>::PointSelection(                                                    \
+    PointSpan<Dim, double>, const std::optional<Box<Dim>>&, const Execution&);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
+#undef HASHEDOCTREE_INSTANTIATE
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_PointSelection_h
+#define hashedoctree_PointSelection_h
+
+#include "Execution.h"
+#include "Grid.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace hashedoctree
+{
+/** A view of `Count` points, Dim coordinates each, one point after the other. */
+template <int Dim, typename Real>
+struct PointSpan
+{
+  const Real* Coordinates = nullptr;
+  std::size_t Count = 0;
+
+  const Real* operator[](std::size_t i) const { return this->Coordinates + Dim * i; }
+};
+
+/**
+ * Which points of a data set take part in a tree, and the box around them.
+ *
+ * Left out are points with a coordinate that is not finite (or is beyond Grid::MaxCoordinate), and,
+ * where a box is given, the points outside it; points on its faces are inside. Both kinds are
+ * counted. The points are taken in chunks of ChunkSize, so that threads can later write the kept
+ * ones one after the other.
+ */
+template <int Dim>
+class PointSelection
+{
+public:
+  /** More points than this cannot be numbered with the 32 bits of a tree's ranges. */
+  static constexpr std::size_t MaxNumberOfPoints = 0xfffffffeU;
+  static constexpr std::size_t ChunkSize = 8192;
+
+  /**
+   * Selects from all points; O(n). Instantiated for float and double. Throws std::length_error
+   * above MaxNumberOfPoints, std::invalid_argument for a box that is not finite or whose upper
+   * corner lies below its lower one, and Interrupted.
+   */
+  template <typename Real>
+  PointSelection(
+    PointSpan<Dim, Real> points, const std::optional<Box<Dim>>& given, const Execution& execution);
+
+  /** The given box, or the box around the kept points; Box's default when there are none. */
+  const Box<Dim>& GetBox() const { return this->Bounds; }
+  std::size_t GetNumberOfPoints() const { return this->FirstOfChunk.back(); }
+  /** Points left out because a coordinate is not finite. */
+  std::size_t GetNumberOfSkippedPoints() const { return this->Skipped; }
+  /** Finite points left out because they are outside the given box. */
+  std::size_t GetNumberOfOutsidePoints() const { return this->Outside; }
+  /** How many points are kept before those of this chunk. */
+  std::size_t GetFirstOfChunk(std::size_t chunk) const { return this->FirstOfChunk[chunk]; }
+
+  /** Whether a point takes part. Pure. */
+  template <typename Real>
+  bool Keeps(const Real* x) const
+  {
+    return IsFinite(x) && (!this->HasBox || this->IsInBox(x));
+  }
+
+private:
+  template <typename Real>
+  static bool IsFinite(const Real* x)
+  {
+    bool finite = true;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      // False for NaN, too.
+      finite &= std::abs(static_cast<double>(x[axis])) <= Grid<Dim>::MaxCoordinate;
+    }
+    return finite;
+  }
+  template <typename Real>
+  bool IsInBox(const Real* x) const
+  {
+    bool inside = true;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      inside &= x[axis] >= this->Bounds.Lower[axis] && x[axis] <= this->Bounds.Upper[axis];
+    }
+    return inside;
+  }
+
+  Box<Dim> Bounds;
+  bool HasBox = false;
+  std::size_t Skipped = 0;
+  std::size_t Outside = 0;
+  std::vector<std::size_t> FirstOfChunk;
+};
+}
+
+#endif

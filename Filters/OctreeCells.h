@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OctreeCells_h
+#define OctreeCells_h
+
+#include "NodeList.h"
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace hashedoctree
+{
+/**
+ * Nodes of an octree as VTK cells, one cell each in the order of the list, with shared corners in
+ * double precision and the cell arrays Depth (active), HitCost, RootCost, PointCount and MortonKey.
+ * HitCost and RootCost are the nodes that a counted search for the leaf examines from `startDepth`
+ * and from the root; 0 on internal nodes, which no search ends at. Both throw Interrupted, with an
+ * output that must be emptied. Private to the module.
+ */
+class OctreeCells
+{
+public:
+  OctreeCells(const Octree<3>& tree, int startDepth, NodeListOptions options)
+    : Tree(tree)
+    , StartDepth(startDepth)
+    , Options(options)
+  {
+  }
+
+  /** One VTK_VOXEL for each node. */
+  void MakeVoxels(vtkUnstructuredGrid* output, const Execution& execution) const;
+  /** One VTK_POLY_LINE of 16 points for each node, along all edges of its box. */
+  void MakeOutlines(vtkPolyData* output, const Execution& execution) const;
+
+private:
+  using Nodes = Buffer<Octree<3>::Node>;
+
+  template <typename DataSet>
+  void AddArrays(const Nodes& nodes, DataSet* output, const Execution& execution) const;
+
+  const Octree<3>& Tree;
+  int StartDepth;
+  NodeListOptions Options;
+};
+}
+
+#endif

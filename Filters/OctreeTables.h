@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OctreeTables_h
+#define OctreeTables_h
+
+#include "DepthStatistics.h"
+#include "MeasuredCost.h"
+
+class vtkTable;
+
+namespace hashedoctree
+{
+/** Fills the columns Depth, Leaves, EmptyLeaves, Points (integers) and GridWeight (double; the
+ * leaves' volume in cells of the deepest depth), one row for each depth from 0 to the deepest.
+ * Private to the module. */
+void FillDepthHistogram(vtkTable* table, const DepthCounts& counts);
+
+/** Fills the columns StartDepth, CostLeaves, CostPoints, CostGrid (modelled), MeasuredLeaves,
+ * MeasuredPoints (counted) and ContinuousLeaves (the differentiable cost at StartDepth + 1/2, paper
+ * E8): mean nodes examined by one search, one row for each start depth from 0 to the deepest.
+ * Private to the module. */
+void FillCostCurves(vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured);
+}
+
+#endif

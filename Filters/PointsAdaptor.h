@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PointsAdaptor_h
+#define PointsAdaptor_h
+
+#include "PointSelection.h"
+
+#include <vector>
+
+class vtkPoints;
+
+namespace hashedoctree
+{
+/**
+ * The bridge from vtkPoints to the core's point spans. Arrays of float or double tuples are viewed
+ * where they are; any other layout or type is copied to doubles. The points must outlive the
+ * adaptor and not change meanwhile. Private to the module.
+ */
+class PointsAdaptor
+{
+public:
+  explicit PointsAdaptor(vtkPoints* points);
+
+  /** Calls function(span) with a PointSpan<3, float> or PointSpan<3, double>. */
+  template <typename Function>
+  void Visit(const Function& function) const
+  {
+    if (this->Floats != nullptr)
+    {
+      function(PointSpan<3, float>{ this->Floats, this->Count });
+    }
+    else
+    {
+      function(PointSpan<3, double>{ this->Doubles, this->Count });
+    }
+  }
+
+private:
+  const float* Floats = nullptr;
+  const double* Doubles = nullptr;
+  std::size_t Count = 0;
+  std::vector<double> Copy;
+};
+}
+
+#endif

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHashedOctreeFilter
+ * @brief   the octree of a point set, kept in a hash table, with the statistics of its depths
+ *
+ * Builds the octree of the input's points: a cube is split into eight while it holds more than
+ * MaxPointsPerLeaf points, down to MaxDepth. The root is the cube at the lower corner of the
+ * points' bounds (or of CustomBounds) whose side is their largest extent, 1 if all points coincide.
+ * Any node of a hashed octree can be reached directly by position and depth, so that a search need
+ * not begin at the root: it begins at a start depth estimated from the depths of the leaves, and
+ * their weighted median examines the fewest nodes ("Statistical optimization of octree searches",
+ * Castro, Lewiner, Lopes, Tavares, Bordignon, 2008).
+ *
+ * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block.
+ *
+ * Output port 0, the nodes of the tree as cells, ordered by depth, then by Morton key, in a
+ * vtkUnstructuredGrid (Voxels) or vtkPolyData (Outlines). Leaves with points are always in it.
+ * Cell arrays, one value per cell:
+ * - Depth (int, active scalars): 0 is the root;
+ * - HitCost (int): nodes that a search for this leaf from the start depth examines, counted in a
+ *   real search; 1 + |Depth - StartDepth|. 0 on internal nodes, where no search ends;
+ * - RootCost (int): the same for a search from the root;
+ * - PointCount (vtkIdType): points in the node;
+ * - MortonKey (unsigned 64-bit): key of the node, 1 for the root, a child's key being
+ *   8 * key + octant, where x is the high bit of the octant (in VTK's own octrees it is the low
+ * one).
+ *
+ * Field data, one value each: StartDepth, MeanHitCost, MeanRootCost (means over all leaves in the
+ * chosen FrequencyModel), CostRatio (root / hit), NumberOfPoints, NumberOfNodes (internal nodes and
+ * all leaves), NumberOfLeaves, NumberOfEmptyLeaves, DeepestDepth, StartDepthLeaves,
+ * StartDepthPoints, StartDepthGrid (by the chosen StartDepthModel in each frequency model),
+ * TreeBytes (the tree without the points and their order), BuildSeconds, SkippedPoints (not
+ * finite), OutsidePoints (outside CustomBounds).
+ *
+ * Output port 1, vtkTable, one row for each depth from 0 to the deepest: Depth, Leaves,
+ * EmptyLeaves, Points, GridWeight (volume of the leaves, in cells of the deepest depth).
+ *
+ * Output port 2, vtkTable, one row for each start depth from 0 to the deepest, mean number of
+ * nodes that one search examines: StartDepth, CostLeaves, CostPoints, CostGrid (the model),
+ * MeasuredLeaves, MeasuredPoints (counted in searches for every leaf), ContinuousLeaves (the
+ * paper's differentiable cost at StartDepth + 1/2).
+ *
+ * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite
+ * are left out with one warning. An input without points, or without one that can be used, is an
+ * error, but for an empty piece of a distributed data set or an empty block of a composite one. The
+ * result does not depend on the number of threads (vtkSMPTools). Progress is reported throughout;
+ * an abort is heeded within a tenth of a second and leaves all outputs empty. Points with the
+ * same cell at MaxDepth share a leaf, however many they are. At most 2^32 - 2 points.
+ */
+
+#ifndef vtkHashedOctreeFilter_h
+#define vtkHashedOctreeFilter_h
+
+#include "HashedOctreeFiltersModule.h" // For export macro
+#include "vtkDataObjectAlgorithm.h"
+
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeFilter : public vtkDataObjectAlgorithm
+{
+public:
+  static vtkHashedOctreeFilter* New();
+  vtkTypeMacro(vtkHashedOctreeFilter, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
+   * volume (paper section 4). */
+  enum FrequencyModels
+  {
+    Leaves = 0,
+    Points = 1,
+    Grid = 2
+  };
+
+  /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
+   * the nearest depth, at the root, or at FixedStartDepth. */
+  enum StartDepthModels
+  {
+    Median = 0,
+    Mean = 1,
+    Root = 2,
+    Fixed = 3
+  };
+
+  /** What port 0 holds. */
+  enum OutputTypes
+  {
+    Voxels = 0,
+    Outlines = 1
+  };
+
+  ///@{
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
+  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaxPointsPerLeaf, int);
+  ///@}
+
+  ///@{
+  /** Depth below which nothing is split, in [0, 21]; default 21. */
+  vtkSetClampMacro(MaxDepth, int, 0, 21);
+  vtkGetMacro(MaxDepth, int);
+  ///@}
+
+  ///@{
+  /** One of FrequencyModels; default Leaves. */
+  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
+  vtkGetMacro(FrequencyModel, int);
+  ///@}
+
+  ///@{
+  /** One of StartDepthModels; default Median. */
+  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
+  vtkGetMacro(StartDepthModel, int);
+  ///@}
+
+  ///@{
+  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
+  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
+  vtkGetMacro(FixedStartDepth, int);
+  ///@}
+
+  ///@{
+  /** One of OutputTypes; default Voxels. */
+  vtkSetClampMacro(OutputType, int, Voxels, Outlines);
+  vtkGetMacro(OutputType, int);
+  ///@}
+
+  ///@{
+  /** Whether port 0 also holds the leaves without points. Default off. */
+  vtkSetMacro(IncludeEmptyLeaves, bool);
+  vtkGetMacro(IncludeEmptyLeaves, bool);
+  vtkBooleanMacro(IncludeEmptyLeaves, bool);
+  ///@}
+
+  ///@{
+  /** Whether port 0 also holds the internal nodes, each around its children. Default off. */
+  vtkSetMacro(IncludeInternalNodes, bool);
+  vtkGetMacro(IncludeInternalNodes, bool);
+  vtkBooleanMacro(IncludeInternalNodes, bool);
+  ///@}
+
+  ///@{
+  /** Whether CustomBounds gives the root instead of the points' own bounds, so that trees of
+   * different points share one grid. Points outside CustomBounds are left out and counted; points
+   * on its faces are inside. Default off. */
+  vtkSetMacro(UseCustomBounds, bool);
+  vtkGetMacro(UseCustomBounds, bool);
+  vtkBooleanMacro(UseCustomBounds, bool);
+  ///@}
+
+  ///@{
+  /** (xmin, xmax, ymin, ymax, zmin, zmax) in world units, each minimum at most its maximum; default
+   * the unit cube. Bounds that are not finite or turned around are an error. */
+  vtkSetVector6Macro(CustomBounds, double);
+  vtkGetVector6Macro(CustomBounds, double);
+  ///@}
+
+protected:
+  vtkHashedOctreeFilter();
+  ~vtkHashedOctreeFilter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHashedOctreeFilter(const vtkHashedOctreeFilter&) = delete;
+  void operator=(const vtkHashedOctreeFilter&) = delete;
+
+  class Run;
+
+  int MaxPointsPerLeaf = 1;
+  int MaxDepth = 21;
+  int FrequencyModel = Leaves;
+  int StartDepthModel = Median;
+  int FixedStartDepth = 0;
+  int OutputType = Voxels;
+  bool IncludeEmptyLeaves = false;
+  bool IncludeInternalNodes = false;
+  bool UseCustomBounds = false;
+  double CustomBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
+};
+
+#endif

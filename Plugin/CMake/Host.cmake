@@ -1,0 +1,48 @@
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Finds what HASHEDOCTREE_HOST asks for, and sets HASHEDOCTREE_HAVE_VTK, HASHEDOCTREE_HAVE_PARAVIEW,
+# HASHEDOCTREE_HAVE_PLUGIN and HASHEDOCTREE_HAVE_PYTHON. ParaView brings a VTK of its own.
+if (NOT HASHEDOCTREE_HOST MATCHES "^(AUTO|PARAVIEW|VTK|NONE)$")
+  message(FATAL_ERROR
+    "HASHEDOCTREE_HOST is '${HASHEDOCTREE_HOST}', but must be AUTO, PARAVIEW, VTK or NONE.")
+endif ()
+
+set(quiet)
+if (HASHEDOCTREE_HOST STREQUAL "AUTO")
+  set(quiet QUIET)
+endif ()
+if (HASHEDOCTREE_HOST MATCHES "AUTO|PARAVIEW")
+  find_package(ParaView 5.11 ${quiet} COMPONENTS RemotingCore RemotingServerManager)
+endif ()
+set(HASHEDOCTREE_HAVE_PARAVIEW "${ParaView_FOUND}")
+if (HASHEDOCTREE_HOST STREQUAL "VTK" OR
+    (HASHEDOCTREE_HOST STREQUAL "AUTO" AND NOT HASHEDOCTREE_HAVE_PARAVIEW))
+  find_package(VTK 9.1 ${quiet}
+    COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersSources
+    OPTIONAL_COMPONENTS Python WrappingPythonCore)
+endif ()
+
+set(HASHEDOCTREE_HAVE_VTK OFF)
+if (HASHEDOCTREE_HAVE_PARAVIEW OR (VTK_FOUND AND NOT HASHEDOCTREE_HOST STREQUAL "PARAVIEW"))
+  set(HASHEDOCTREE_HAVE_VTK ON)
+elseif (NOT HASHEDOCTREE_HOST STREQUAL "NONE")
+  message(FATAL_ERROR
+    "Neither ParaView 5.11 nor VTK 9.1 was found as HASHEDOCTREE_HOST=${HASHEDOCTREE_HOST} asks. "
+    "On Debian, install for ParaView: "
+    "paraview-dev python3-paraview python3-dev libopenmpi-dev libdouble-conversion-dev; "
+    "for VTK alone: libvtk9-dev python3-vtk9 python3-dev; "
+    "or build the core alone with -DHASHEDOCTREE_HOST=NONE.")
+endif ()
+
+set(HASHEDOCTREE_HAVE_PLUGIN OFF)
+if (HASHEDOCTREE_PLUGIN AND HASHEDOCTREE_HAVE_PARAVIEW)
+  set(HASHEDOCTREE_HAVE_PLUGIN ON)
+endif ()
+set(HASHEDOCTREE_HAVE_PYTHON OFF)
+if (HASHEDOCTREE_PYTHON AND TARGET VTK::WrappingPythonCore AND TARGET VTK::Python)
+  set(HASHEDOCTREE_HAVE_PYTHON ON)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+endif ()
+message(STATUS "HashedOctree: VTK ${VTK_VERSION}, ParaView ${ParaView_VERSION}, "
+  "plugin ${HASHEDOCTREE_HAVE_PLUGIN}, Python ${HASHEDOCTREE_HAVE_PYTHON}")

@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# hashedoctree_own_code(<target>): compile a target of ours with our warnings and sanitizers.
+# Code that VTK's wrappers generate is not ours, so these are options of targets, not of all code.
+function (hashedoctree_own_code target)
+  get_target_property(aliased "${target}" ALIASED_TARGET)
+  if (aliased)
+    set(target "${aliased}")
+  endif ()
+  target_compile_options("${target}" PRIVATE -Wall -Wextra -Wshadow -Wconversion)
+  if (HASHEDOCTREE_WERROR)
+    target_compile_options("${target}" PRIVATE -Werror)
+  endif ()
+  if (HASHEDOCTREE_SANITIZE)
+    set(sanitize "-fsanitize=${HASHEDOCTREE_SANITIZE}")
+    target_compile_options("${target}" PRIVATE
+      "${sanitize}" -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options("${target}" PRIVATE "${sanitize}")
+  endif ()
+endfunction ()
