@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DepthStatistics.h"
+
+#include "SampleTree.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+using namespace hashedoctree;
+
+namespace
+{
+/** A histogram as trees have them, or not: some depths empty, weights of any size. */
+DepthHistogram MakeHistogram(std::mt19937& random)
+{
+  DepthHistogram histogram(1 + random() % 22);
+  for (std::uint64_t& weight : histogram)
+  {
+    weight = random() % 3 == 0 ? 0 : random() % (1U << (random() % 20));
+  }
+  histogram.back() += 1;
+  return histogram;
+}
+}
+
+TEST(TestDepthStatistics, CostByHand)
+{
+  const DepthHistogram histogram{ 0, 2, 1, 1 };
+  EXPECT_DOUBLE_EQ(GetMeanCost(histogram, 0), (2 * 2 + 3 + 4) / 4.0);
+  EXPECT_DOUBLE_EQ(GetMeanCost(histogram, 1), (2 * 1 + 2 + 3) / 4.0);
+  EXPECT_DOUBLE_EQ(GetMeanCost(histogram, 2), (2 * 2 + 1 + 2) / 4.0);
+  EXPECT_DOUBLE_EQ(GetMeanCost(histogram, 5), (2 * 5 + 4 + 3) / 4.0);
+}
+
+TEST(TestDepthStatistics, NoWeight)
+{
+  for (const DepthHistogram& histogram : { DepthHistogram{}, DepthHistogram{ 0, 0, 0 } })
+  {
+    EXPECT_EQ(GetMeanCost(histogram, 1), 0.0);
+    EXPECT_EQ(GetMedianDepth(histogram), 0);
+    EXPECT_EQ(GetMeanDepth(histogram), 0);
+    EXPECT_EQ(GetCheapestStartDepth(histogram), 0);
+  }
+}
+
+TEST(TestDepthStatistics, TiesGoToTheSmallerDepth)
+{
+  EXPECT_EQ(GetMedianDepth({ 0, 5, 0, 0, 5 }), 1);
+  EXPECT_EQ(GetMedianDepth({ 0, 5, 0, 0, 6 }), 4);
+  EXPECT_EQ(GetMedianDepth({ 0, 5, 1, 0, 5 }), 2);
+  EXPECT_DOUBLE_EQ(GetMeanCost({ 0, 5, 0, 0, 5 }, 1), GetMeanCost({ 0, 5, 0, 0, 5 }, 4));
+}
+
+TEST(TestDepthStatistics, MeanDepthIsRounded)
+{
+  EXPECT_EQ(GetMeanDepth({ 0, 0, 0, 7 }), 3);
+  EXPECT_EQ(GetMeanDepth({ 0, 1, 1 }), 2) << "one and a half goes up";
+  EXPECT_EQ(GetMeanDepth({ 0, 2, 1 }), 1);
+  EXPECT_EQ(GetMeanDepth({ 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 }), 1);
+}
+
+TEST(TestDepthStatistics, MedianCostsTheLeast)
+{
+  std::mt19937 random(81);
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    const DepthHistogram histogram = MakeHistogram(random);
+    const int cheapest = GetCheapestStartDepth(histogram);
+    for (int depth = 0; depth < 30; ++depth)
+    {
+      ASSERT_LE(GetMeanCost(histogram, cheapest), GetMeanCost(histogram, depth));
+    }
+    ASSERT_EQ(GetMedianDepth(histogram), cheapest);
+  }
+}
+
+TEST(TestDepthStatistics, FrequencyModels)
+{
+  const DepthCounts counts{ { 0, 6, 16 }, { 0, 2, 10 }, { 0, 40, 7 } };
+  EXPECT_EQ(GetDepthHistogram(counts, FrequencyModel::Leaves, 3), (DepthHistogram{ 0, 6, 16 }));
+  EXPECT_EQ(GetDepthHistogram(counts, FrequencyModel::Points, 3), (DepthHistogram{ 0, 40, 7 }));
+  EXPECT_EQ(GetDepthHistogram(counts, FrequencyModel::Grid, 3), (DepthHistogram{ 0, 48, 16 }));
+  EXPECT_EQ(GetDepthHistogram(counts, FrequencyModel::Grid, 2), (DepthHistogram{ 0, 24, 16 }));
+}
+
+TEST(TestDepthStatistics, GridWeightsAddUpToTheRoot)
+{
+  // Down to the last depth the sum is 2^63, which only integers hold to the last digit.
+  const PointSample<3, double> coincident{ "coincident", std::vector<double>(300, 1.0) };
+  for (const auto& sample :
+    { coincident, PointSample<3, double>{ "clusters", MakeClusteredPoints<3, double>(5000, 82) } })
+  {
+    const SampleTree<3, double> made(sample);
+    const DepthHistogram grid =
+      GetDepthHistogram(made.Tree.GetDepthCounts(), FrequencyModel::Grid, 3);
+    EXPECT_EQ(std::accumulate(grid.begin(), grid.end(), std::uint64_t(0)),
+      std::uint64_t(1) << (3 * made.Tree.GetDeepestDepth()));
+  }
+}
+
+TEST(TestDepthStatistics, GridMedianHoldsAtFullDepth)
+{
+  // Chain of coincident points: 7/8 of the volume is at depth 1.
+  const SampleTree<3, double> made(
+    PointSample<3, double>{ "coincident", std::vector<double>(300, 1.0) });
+  EXPECT_EQ(made.Tree.GetDeepestDepth(), 21);
+  EXPECT_EQ(
+    GetMedianDepth(GetDepthHistogram(made.Tree.GetDepthCounts(), FrequencyModel::Grid, 3)), 1);
+}

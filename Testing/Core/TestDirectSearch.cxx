@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectSearch.h"
+
+#include "Dimensions.h"
+#include "SampleTree.h"
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestDirectSearch : public ::testing::Test
+{
+protected:
+  static constexpr int Dim = Dimension::value;
+
+  /** The case that a search for a leaf at `depth` ends in. */
+  static SearchCase GetExpectedCase(int depth, int startDepth)
+  {
+    return depth == startDepth ? SearchCase::Hit
+      : depth > startDepth     ? SearchCase::Down
+                               : SearchCase::Up;
+  }
+};
+TYPED_TEST_SUITE(TestDirectSearch, Dimensions);
+
+TYPED_TEST(TestDirectSearch, EveryStartDepthFindsEveryLeafAtTheModelledCost)
+{
+  constexpr int dim = TestFixture::Dim;
+  for (const auto& sample : MakePointSamples<dim, double>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, double> made(sample);
+    ForEachLeaf(made.Tree,
+      [&made](const auto& leaf)
+      {
+        const int depth = leaf.NodeKey.GetDepth();
+        for (int startDepth = 0; startDepth <= MortonKey<dim>::MaxDepth; ++startDepth)
+        {
+          // The leaf is found from either end of its cells.
+          for (const MortonKey<dim> key :
+            { leaf.NodeKey.GetFirstAtMaxDepth(), leaf.NodeKey.GetLastAtMaxDepth() })
+          {
+            NodeCount count;
+            const FoundLeaf<dim> found = FindLeaf(made.Tree, key, startDepth, count);
+            ASSERT_EQ(found.Key, leaf.NodeKey);
+            ASSERT_TRUE(found.Exists);
+            ASSERT_EQ(found.Case, TestFixture::GetExpectedCase(depth, startDepth));
+            ASSERT_EQ(count.Nodes, static_cast<std::uint64_t>(1 + std::abs(depth - startDepth)));
+            ASSERT_EQ(CountExaminedNodes(made.Tree, key, startDepth), count.Nodes);
+
+            const FoundLeaf<dim> sparse =
+              FindLeaf(made.Tree, key, startDepth, EmptyOctants::Missing);
+            ASSERT_EQ(sparse.Key, leaf.NodeKey);
+            ASSERT_EQ(sparse.Exists, !leaf.IsEmpty());
+          }
+        }
+      });
+  }
+}
+
+TYPED_TEST(TestDirectSearch, EveryPointIsFoundInItsLeaf)
+{
+  constexpr int dim = TestFixture::Dim;
+  for (const auto& sample : MakePointSamples<dim, float>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, float> made(sample, { 3, MortonKey<dim>::MaxDepth });
+    ForEachLeaf(made.Tree,
+      [&](const auto& leaf)
+      {
+        for (std::uint32_t place = leaf.FirstPoint; place < leaf.LastPoint; ++place)
+        {
+          const float* x = sample.GetSpan()[made.Tree.GetPointIds()[place]];
+          const MortonKey<dim> key = made.Tree.GetGrid().GetKey(x);
+          for (int startDepth = 0; startDepth <= MortonKey<dim>::MaxDepth; startDepth += 3)
+          {
+            const auto found = FindLeaf(made.Tree, key, startDepth, EmptyOctants::Missing);
+            ASSERT_EQ(found.Key, leaf.NodeKey);
+            ASSERT_TRUE(found.Exists);
+          }
+        }
+      });
+  }
+}
+
+TEST(TestDirectSearchFacts, RootStartLooksAtEveryAncestor)
+{
+  // Start depth 0 is the classical search (paper section 3a): depth + 1 nodes.
+  const SampleTree<3, double> made(
+    PointSample<3, double>{ "sphere", MakeSpherePoints<3, double>(2000, 71) });
+  ForEachLeaf(made.Tree,
+    [&made](const auto& leaf)
+    {
+      ASSERT_EQ(CountExaminedNodes(made.Tree, leaf.NodeKey.GetFirstAtMaxDepth(), 0),
+        static_cast<std::uint64_t>(leaf.NodeKey.GetDepth() + 1));
+    });
+}
+
+TEST(TestDirectSearchFacts, CountsAddUpOverSearches)
+{
+  const SampleTree<2, double> made(
+    PointSample<2, double>{ "uniform", MakeUniformPoints<2, double>(100, 72) });
+  NodeCount count;
+  std::uint64_t expected = 0;
+  ForEachLeaf(made.Tree,
+    [&](const auto& leaf)
+    {
+      FindLeaf(made.Tree, leaf.NodeKey.GetFirstAtMaxDepth(), 4, count);
+      expected += static_cast<std::uint64_t>(1 + std::abs(leaf.NodeKey.GetDepth() - 4));
+    });
+  EXPECT_EQ(count.Nodes, expected);
+}

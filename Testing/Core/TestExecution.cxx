@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Execution.h"
+
+#include "Threads.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+using namespace hashedoctree;
+
+TEST(TestExecution, ForCoversTheRangeOnce)
+{
+  for (const std::size_t count : { 0U, 1U, 99U, 64000U, 64001U })
+  {
+    std::vector<std::atomic<int>> visits(count);
+    Execution(OnThreads(3))
+      .For(count, 100,
+        [&](std::size_t first, std::size_t last)
+        {
+          for (std::size_t i = first; i < last; ++i)
+          {
+            ++visits[i];
+          }
+        });
+    for (const std::atomic<int>& visit : visits)
+    {
+      ASSERT_EQ(visit, 1);
+    }
+  }
+}
+
+TEST(TestExecution, ProgressRisesFromPartToPart)
+{
+  std::vector<double> told;
+  const Execution execution(OnThreads(1),
+    [&told](double fraction)
+    {
+      told.push_back(fraction);
+      return true;
+    });
+  const auto nothing = [](std::size_t, std::size_t) {};
+  execution.Part(0.0, 0.25).For(10000, 10, nothing);
+  execution.Part(0.25, 1.0).Part(0.0, 1.0).For(10000, 10, nothing, 0.5, 1.0);
+  EXPECT_GT(told.size(), 20U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_NEAR(*std::lower_bound(told.begin(), told.end(), 0.25), 0.25, 1e-12);
+  EXPECT_GT(*std::upper_bound(told.begin(), told.end(), 0.26), 0.625) << "the 0.5 of the second";
+  EXPECT_NEAR(told.back(), 1.0, 1e-12);
+}
+
+TEST(TestExecution, StopsWithinABatch)
+{
+  int answers = 0;
+  std::size_t done = 0;
+  const Execution execution(OnThreads(1), [&answers](double) { return ++answers < 3; });
+  EXPECT_THROW(execution.For(1000000, 10,
+                 [&done](std::size_t first, std::size_t last) { done += last - first; }),
+    Interrupted);
+  EXPECT_EQ(done, 3 * 10 * Execution::BatchGrains);
+}
+
+TEST(TestExecution, WithoutProgressNothingStops)
+{
+  EXPECT_NO_THROW(Execution().Part(0.5, 1.0).Tell(0.3));
+}

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Invariants.h"
+
+#include "PointSamples.h"
+
+#include <gtest/gtest.h>
+
+using namespace hashedoctree;
+
+/** A sound tree, to be broken in one place. */
+class TestInvariants : public ::testing::Test
+{
+protected:
+  PointSample<3, double> Sample{ "clusters", MakeClusteredPoints<3, double>(500, 111) };
+  PointSelection<3> Selection{ Sample.GetSpan(), {}, Execution() };
+  Octree<3> Tree{ Sample.GetSpan(), Selection, {}, Execution() };
+
+  // A tree is immutable to its users; a test that breaks one must reach behind that.
+  Octree<3>::Block& GetBlock(std::size_t block)
+  {
+    return const_cast<Octree<3>::Block&>(this->Tree.GetBlock(block));
+  }
+  std::uint32_t* GetIds() { return const_cast<std::uint32_t*>(this->Tree.GetPointIds()); }
+  NodeTable<Octree<3>::Entry>& GetTable()
+  {
+    return const_cast<NodeTable<Octree<3>::Entry>&>(this->Tree.GetTable());
+  }
+  DepthCounts& GetCounts() { return const_cast<DepthCounts&>(this->Tree.GetDepthCounts()); }
+
+  void ExpectBroken(const std::string& law)
+  {
+    const std::vector<std::string> laws =
+      FindBrokenLaws(this->Tree, this->Sample.GetSpan(), this->Selection);
+    bool named = false;
+    for (const std::string& broken : laws)
+    {
+      named = named || broken.find(law) == 0;
+    }
+    EXPECT_TRUE(named) << law << " is not among " << ::testing::PrintToString(laws);
+  }
+};
+
+TEST_F(TestInvariants, SoundTreeBreaksNone)
+{
+  EXPECT_EQ(FindBrokenLaws(this->Tree, this->Sample.GetSpan(), this->Selection),
+    std::vector<std::string>());
+}
+
+TEST_F(TestInvariants, MovedPoint)
+{
+  this->Sample.Coordinates[3 * 77] += 0.1;
+  this->ExpectBroken("each point lies in the cell of its leaf");
+}
+
+TEST_F(TestInvariants, LostPoint)
+{
+  this->Sample.Coordinates.insert(this->Sample.Coordinates.end(), { 0.3, 0.3, 0.3 });
+  this->ExpectBroken("just the selected points take part");
+}
+
+TEST_F(TestInvariants, DoubledId)
+{
+  this->GetIds()[3] = this->GetIds()[4];
+  this->ExpectBroken("each point stands in the order once");
+}
+
+TEST_F(TestInvariants, SwappedIds)
+{
+  std::swap(this->GetIds()[10], this->GetIds()[200]);
+  this->ExpectBroken("points are ordered by key, then by id");
+}
+
+TEST_F(TestInvariants, ShiftedRange)
+{
+  this->GetBlock(5).FirstPoint[3] += 1;
+  this->ExpectBroken("ranges partition the points");
+}
+
+TEST_F(TestInvariants, FlippedInternalBit)
+{
+  this->GetBlock(5).Internal ^= 1U;
+  this->ExpectBroken("a node is internal just when it holds more than a bucket above MaxDepth");
+}
+
+TEST_F(TestInvariants, WrongFirstChild)
+{
+  this->GetBlock(0).FirstChild += 1;
+  this->ExpectBroken("keys and masks agree");
+}
+
+TEST_F(TestInvariants, WrongTableEntry)
+{
+  const auto* entry = this->GetTable().Find(this->Tree.GetBlockKey(7).GetValue());
+  const_cast<Octree<3>::Entry*>(entry)->Block += 1;
+  this->ExpectBroken("the table finds every node");
+}
+
+TEST_F(TestInvariants, WrongTableMask)
+{
+  const auto* entry = this->GetTable().Find(this->Tree.GetBlockKey(7).GetValue());
+  const_cast<Octree<3>::Entry*>(entry)->Occupied ^= 4U;
+  this->ExpectBroken("keys and masks agree");
+}
+
+TEST_F(TestInvariants, ForeignKeyInTheTable)
+{
+  this->GetTable().Insert(0xabcdef, Octree<3>::Entry{ 0, 0, 0 });
+  this->ExpectBroken("the table holds nothing else");
+}
+
+TEST_F(TestInvariants, LeafInTheTable)
+{
+  std::size_t block = 0;
+  while (this->Tree.GetBlock(block).Internal == 0xff)
+  {
+    ++block;
+  }
+  unsigned leaf = 0;
+  while (this->Tree.GetChild(block, leaf).Internal)
+  {
+    ++leaf;
+  }
+  this->GetTable().Insert(
+    this->Tree.GetChild(block, leaf).NodeKey.GetValue(), Octree<3>::Entry{ 0, 0, 0 });
+  this->ExpectBroken("the table finds nothing else");
+}
+
+TEST_F(TestInvariants, WrongCounts)
+{
+  this->GetCounts().EmptyLeaves[3] += 1;
+  this->ExpectBroken("the counts per depth are those of the leaves");
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NodeCorners.h"
+
+#include "Dimensions.h"
+#include "NodeList.h"
+#include "SampleTree.h"
+
+#include <set>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestNodeCorners : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestNodeCorners, Dimensions);
+
+TYPED_TEST(TestNodeCorners, CornersAreWhereTheyShouldBeAndShared)
+{
+  constexpr int dim = TypeParam::value;
+  for (const auto& sample : MakePointSamples<dim, double>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, double> made(sample);
+    const auto nodes = ListNodes(made.Tree, NodeListOptions{ true, true }, Execution());
+    std::vector<long long> connectivity(nodes.GetSize() << dim);
+    const NodeCorners<dim> corners(nodes, connectivity.data(), Execution());
+    std::set<Cell<dim>> distinct;
+    for (std::size_t node = 0; node < nodes.GetSize(); ++node)
+    {
+      const int depth = nodes[node].NodeKey.GetDepth();
+      const Cell<dim> cell = nodes[node].NodeKey.GetCell();
+      for (unsigned corner = 0; corner < (1U << dim); ++corner)
+      {
+        Cell<dim> expected;
+        for (int axis = 0; axis < dim; ++axis)
+        {
+          // The first axis is the low bit of a corner's place, as in a VTK_VOXEL.
+          expected[axis] = (cell[axis] + (corner >> axis & 1U))
+            << (MortonKey<dim>::MaxDepth - depth);
+        }
+        const auto number = static_cast<std::size_t>(connectivity[(node << dim) + corner]);
+        ASSERT_LT(number, corners.GetNumberOfCorners());
+        ASSERT_EQ(corners.GetCorner(number), expected);
+        distinct.insert(expected);
+      }
+    }
+    EXPECT_EQ(corners.GetNumberOfCorners(), distinct.size());
+  }
+}
+
+TEST(TestNodeCornersFacts, GrowsWhenFewCornersAreShared)
+{
+  // Leaves far apart share nothing, so that the corners are eight times the nodes.
+  PointSample<3, double> sample{ "apart", {} };
+  for (int i = 0; i < 20000; ++i)
+  {
+    sample.Coordinates.insert(sample.Coordinates.end(),
+      { i % 30 + 1e-3, i / 30 % 30 + 1e-3, i / 900 + 1e-3, i % 30 + 1.5e-3, i / 30 % 30 + 1.5e-3,
+        i / 900 + 1.5e-3 });
+  }
+  const SampleTree<3, double> made(sample);
+  const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());
+  std::vector<long> connectivity(8 * nodes.GetSize());
+  const NodeCorners<3> corners(nodes, connectivity.data(), Execution());
+  EXPECT_GT(corners.GetNumberOfCorners(), 6 * nodes.GetSize());
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NodeList.h"
+
+#include "Dimensions.h"
+#include "SampleTree.h"
+#include "Threads.h"
+
+#include <algorithm>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestNodeList : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestNodeList, Dimensions);
+
+TYPED_TEST(TestNodeList, ListsTheNodesAskedForInOrder)
+{
+  constexpr int dim = TypeParam::value;
+  auto samples = MakePointSamples<dim, double>();
+  samples.push_back({ "many", MakeUniformPoints<dim, double>(30000, 121) });
+  for (const auto& sample : samples)
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, double> made(sample);
+    for (const NodeListOptions options :
+      { NodeListOptions{ false, false }, NodeListOptions{ true, false },
+        NodeListOptions{ false, true }, NodeListOptions{ true, true } })
+    {
+      std::vector<std::pair<int, std::uint64_t>> expected;
+      ForEachNode(made.Tree,
+        [&](const auto& node)
+        {
+          if (node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty())
+          {
+            expected.emplace_back(node.NodeKey.GetDepth(), node.NodeKey.GetValue());
+          }
+        });
+      std::sort(expected.begin(), expected.end());
+      const auto nodes = ListNodes(made.Tree, options, Execution(OnThreads(2)));
+      ASSERT_EQ(nodes.GetSize(), expected.size());
+      for (std::size_t i = 0; i < expected.size(); ++i)
+      {
+        ASSERT_EQ(nodes[i].NodeKey.GetValue(), expected[i].second);
+      }
+    }
+  }
+}

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Octree.h"
+
+#include "Dimensions.h"
+#include "PlainOctree.h"
+#include "SampleTree.h"
+#include "Threads.h"
+
+#include <algorithm>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestOctree : public ::testing::Test
+{
+protected:
+  static constexpr int Dim = Dimension::value;
+  using Options = typename Octree<Dim>::Options;
+
+  /** Every node of the oracle is in the tree, reached directly, with the same points; and there are
+   * as many. */
+  template <typename Real>
+  static void ExpectAsPlain(const PointSample<Dim, Real>& sample, const Options& options)
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<Dim, Real> made(sample, options);
+    const Octree<Dim>& tree = made.Tree;
+    std::vector<std::uint32_t> ids;
+    for (std::uint32_t id = 0; id < sample.GetSpan().Count; ++id)
+    {
+      if (made.Selection.Keeps(sample.GetSpan()[id]))
+      {
+        ids.push_back(id);
+      }
+    }
+    ASSERT_EQ(tree.GetNumberOfPoints(), ids.size());
+    const PlainOctree<Dim> plain(
+      sample.Coordinates.data(), ids, options.MaxPointsPerLeaf, options.MaxDepth);
+    EXPECT_EQ(tree.GetNumberOfNodes(), plain.GetNodes().size());
+    std::size_t occupiedNodes = 0;
+    int deepest = 0;
+    for (const auto& [name, expected] : plain.GetNodes())
+    {
+      const MortonKey<Dim> key = MortonKey<Dim>::FromCell(name.Cell, name.Depth);
+      const auto node = tree.FindNode(key);
+      ASSERT_TRUE(node) << key.GetValue();
+      ASSERT_EQ(node->NodeKey, key);
+      ASSERT_EQ(node->Internal, expected.Internal);
+      std::vector<std::uint32_t> found(
+        tree.GetPointIds() + node->FirstPoint, tree.GetPointIds() + node->LastPoint);
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, expected.Ids);
+      ASSERT_EQ(tree.FindNode(key, EmptyOctants::Missing).has_value(), !expected.Ids.empty());
+      occupiedNodes += expected.Ids.empty() ? 0 : 1;
+      deepest = std::max(deepest, name.Depth);
+    }
+    EXPECT_EQ(tree.GetNumberOfNodes(EmptyOctants::Missing), occupiedNodes);
+    EXPECT_EQ(tree.GetDeepestDepth(), deepest);
+  }
+};
+TYPED_TEST_SUITE(TestOctree, Dimensions);
+
+TYPED_TEST(TestOctree, EqualsThePlainOctree)
+{
+  for (const auto& sample : MakePointSamples<TestFixture::Dim, double>())
+  {
+    TestFixture::ExpectAsPlain(sample, {});
+  }
+}
+
+TYPED_TEST(TestOctree, EqualsThePlainOctreeInSinglePrecision)
+{
+  for (const auto& sample : MakePointSamples<TestFixture::Dim, float>())
+  {
+    TestFixture::ExpectAsPlain(sample, {});
+  }
+}
+
+TYPED_TEST(TestOctree, EqualsThePlainOctreeForAnyOptions)
+{
+  for (const std::size_t bucket : { 1U, 2U, 7U, 70U, 10000U })
+  {
+    for (const int maxDepth : { 0, 1, 4, MortonKey<TestFixture::Dim>::MaxDepth })
+    {
+      for (const auto& sample : MakePointSamples<TestFixture::Dim, float>())
+      {
+        if (sample.Name == "duplicates" || sample.Name == "clusters" || sample.Name == "one point")
+        {
+          TestFixture::ExpectAsPlain(sample, { bucket, maxDepth });
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(TestOctree, NodesThatDoNotExistAreNotFound)
+{
+  constexpr int dim = TestFixture::Dim;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "u", MakeUniformPoints<dim, double>(300, 61) });
+  EXPECT_FALSE(made.Tree.FindNode(MortonKey<dim>(0)));
+  ForEachLeaf(made.Tree,
+    [&made](const auto& leaf)
+    {
+      if (leaf.NodeKey.GetDepth() < MortonKey<dim>::MaxDepth)
+      {
+        for (unsigned octant = 0; octant < Octree<dim>::NumberOfOctants; ++octant)
+        {
+          ASSERT_FALSE(made.Tree.FindNode(leaf.NodeKey.GetChild(octant)));
+        }
+      }
+    });
+}
+
+TYPED_TEST(TestOctree, ThreadsDoNotMatter)
+{
+  constexpr int dim = TestFixture::Dim;
+  const PointSample<dim, float> sample{ "clusters", MakeClusteredPoints<dim, float>(100000, 62) };
+  const SampleTree<dim, float> one(sample);
+  for (const unsigned threads : { 2U, 8U })
+  {
+    const SampleTree<dim, float> many(sample, {}, Execution(OnThreads(threads)));
+    ASSERT_EQ(many.Tree.GetNumberOfInternalNodes(), one.Tree.GetNumberOfInternalNodes());
+    EXPECT_TRUE(std::equal(one.Tree.GetPointIds(),
+      one.Tree.GetPointIds() + one.Tree.GetNumberOfPoints(), many.Tree.GetPointIds()));
+    for (std::size_t block = 0; block < one.Tree.GetNumberOfInternalNodes(); ++block)
+    {
+      ASSERT_EQ(many.Tree.GetBlockKey(block), one.Tree.GetBlockKey(block));
+      ASSERT_EQ(many.Tree.GetBlock(block).Internal, one.Tree.GetBlock(block).Internal);
+      ASSERT_EQ(many.Tree.GetBlock(block).FirstPoint, one.Tree.GetBlock(block).FirstPoint);
+    }
+    EXPECT_EQ(many.Tree.GetDepthCounts().Leaves, one.Tree.GetDepthCounts().Leaves);
+  }
+}
+
+TYPED_TEST(TestOctree, TakesAtMostTwelveBytesPerNode)
+{
+  constexpr int dim = TestFixture::Dim;
+  for (const std::size_t count : { 300U, 5000U, 40000U })
+  {
+    const SampleTree<dim, float> made(
+      PointSample<dim, float>{ "uniform", MakeUniformPoints<dim, float>(count, 63) });
+    if (dim == 3)
+    {
+      EXPECT_LE(made.Tree.GetTreeBytes(), 12 * made.Tree.GetNumberOfNodes());
+    }
+    EXPECT_EQ(made.Tree.GetOrderBytes(), 4 * count);
+  }
+}
+
+TEST(TestOctreeFacts, EmptyTreeIsOneEmptyLeaf)
+{
+  const Octree<3> tree;
+  EXPECT_EQ(tree.GetNumberOfNodes(), 1U);
+  EXPECT_EQ(tree.GetNumberOfLeaves(), 1U);
+  EXPECT_EQ(tree.GetNumberOfEmptyLeaves(), 1U);
+  EXPECT_EQ(tree.GetNumberOfNodes(EmptyOctants::Missing), 0U);
+  EXPECT_EQ(tree.GetDeepestDepth(), 0);
+  EXPECT_EQ(tree.GetTreeBytes(), 0U);
+  EXPECT_TRUE(tree.GetRoot().IsEmpty());
+  EXPECT_FALSE(tree.FindNode(MortonKey<3>::Root(), EmptyOctants::Missing));
+}
+
+TEST(TestOctreeFacts, UniformGridHasOneDepth)
+{
+  // The full octree as a special case (paper section 1): 16^3 cells.
+  PointSample<3, double> sample{ "grid", {} };
+  for (int i = 0; i < 4096; ++i)
+  {
+    // The last cell holds the root's upper faces, so the lattice is one cell finer than its cells.
+    sample.Coordinates.insert(
+      sample.Coordinates.end(), { i % 16 * 1.0625, i / 16 % 16 * 1.0625, i / 256 * 1.0625 });
+  }
+  const SampleTree<3, double> made(sample);
+  const DepthHistogram expected{ 0, 0, 0, 0, 4096 };
+  EXPECT_EQ(made.Tree.GetDepthCounts().Leaves, expected);
+  EXPECT_EQ(made.Tree.GetDepthCounts().Points, expected);
+  EXPECT_EQ(made.Tree.GetNumberOfEmptyLeaves(), 0U);
+}
+
+TEST(TestOctreeFacts, RandomSphereOfThePapersTable1)
+{
+  // Half a million points: 2,883k nodes, deepest 18 and start depth 9 in the paper.
+  const PointSample<3, double> sample{ "sphere", MakeSpherePoints<3, double>(500000, 64) };
+  const SampleTree<3, double> made(sample);
+  EXPECT_NEAR(static_cast<double>(made.Tree.GetNumberOfNodes()), 2.883e6, 0.01e6);
+  EXPECT_NEAR(static_cast<double>(made.Tree.GetNumberOfLeaves()), 2.523e6, 0.01e6);
+  EXPECT_GE(made.Tree.GetDeepestDepth(), 17);
+  EXPECT_LE(made.Tree.GetDeepestDepth(), 19);
+  EXPECT_EQ(GetMedianDepth(made.Tree.GetDepthCounts().Leaves), 9);
+}
+
+TEST(TestOctreeFacts, GivenBoxIsTheRoot)
+{
+  const PointSample<3, double> sample{ "uniform", MakeUniformPoints<3, double>(1000, 65) };
+  const Box<3> box({ -1.0, 0.0, 0.0 }, { 1.0, 0.5, 2.0 });
+  const PointSelection<3> selection(sample.GetSpan(), box, Execution());
+  EXPECT_GT(selection.GetNumberOfOutsidePoints(), 300U);
+  const Octree<3> tree(sample.GetSpan(), selection, {}, Execution());
+  EXPECT_EQ(tree.GetGrid().GetLower(), box.Lower);
+  EXPECT_EQ(tree.GetGrid().GetSide(), 2.0);
+  EXPECT_TRUE(FindBrokenLaws(tree, sample.GetSpan(), selection).empty());
+  // No point lies in the half with x < 0.
+  for (unsigned octant = 0; octant < 4; ++octant)
+  {
+    EXPECT_TRUE(tree.GetChild(0, octant).IsEmpty());
+  }
+}
+
+TEST(TestOctreeFacts, BuildCanBeInterruptedAnywhere)
+{
+  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 66) };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  std::vector<double> told;
+  const auto build = [&](std::size_t reports)
+  {
+    told.clear();
+    const Execution execution(OnThreads(1),
+      [&](double fraction)
+      {
+        told.push_back(fraction);
+        return told.size() < reports;
+      });
+    return Octree<3>(sample.GetSpan(), selection, {}, execution).GetNumberOfPoints();
+  };
+  EXPECT_EQ(build(1000000), 50000U);
+  const std::size_t reports = told.size();
+  EXPECT_GE(reports, 6U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_NEAR(told.back(), 1.0, 1e-12);
+  for (std::size_t stop = 1; stop <= reports; ++stop)
+  {
+    EXPECT_THROW(build(stop), Interrupted);
+  }
+}
+
+TEST(TestOctreeFacts, CountOctantsCountsBits)
+{
+  for (std::uint32_t mask = 0; mask < 65536; ++mask)
+  {
+    ASSERT_EQ(CountOctants(mask), static_cast<unsigned>(__builtin_popcount(mask)));
+  }
+}

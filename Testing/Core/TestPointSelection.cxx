@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSelection.h"
+
+#include "Dimensions.h"
+#include "PointSamples.h"
+#include "Threads.h"
+
+#include <stdexcept>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestPointSelection : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestPointSelection, Dimensions);
+
+TYPED_TEST(TestPointSelection, AgreesWithAPlainCount)
+{
+  constexpr int dim = TypeParam::value;
+  for (const auto& sample : MakePointSamples<dim, float>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const auto points = sample.GetSpan();
+    Box<dim> box;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < points.Count; ++i)
+    {
+      bool finite = true;
+      for (int axis = 0; axis < dim; ++axis)
+      {
+        finite = finite && std::isfinite(points[i][axis]);
+      }
+      if (finite)
+      {
+        Position<dim> x;
+        std::copy(points[i], points[i] + dim, x.begin());
+        box.Add(Box<dim>(x, x));
+        ++kept;
+      }
+    }
+    const PointSelection<dim> selection(points, {}, Execution());
+    EXPECT_EQ(selection.GetNumberOfPoints(), kept);
+    EXPECT_EQ(selection.GetNumberOfSkippedPoints(), points.Count - kept);
+    EXPECT_EQ(selection.GetNumberOfOutsidePoints(), 0U);
+    EXPECT_EQ(selection.GetBox().Lower, box.Lower);
+    EXPECT_EQ(selection.GetBox().Upper, box.Upper);
+  }
+}
+
+TEST(TestPointSelectionFacts, FacesOfAGivenBoxAreInside)
+{
+  const std::vector<double> x{ 0.0, 1.0, 0.5, -1e-12, 1.0 + 1e-12, NAN, INFINITY };
+  const PointSelection<1> selection(
+    PointSpan<1, double>{ x.data(), x.size() }, Box<1>({ 0.0 }, { 1.0 }), Execution());
+  EXPECT_EQ(selection.GetNumberOfPoints(), 3U);
+  EXPECT_EQ(selection.GetNumberOfOutsidePoints(), 2U);
+  EXPECT_EQ(selection.GetNumberOfSkippedPoints(), 2U);
+  EXPECT_EQ(selection.GetBox().Lower[0], 0.0);
+  EXPECT_EQ(selection.GetBox().Upper[0], 1.0);
+  EXPECT_TRUE(selection.Keeps(&x[1]));
+  EXPECT_FALSE(selection.Keeps(&x[3]));
+  EXPECT_FALSE(selection.Keeps(&x[5]));
+}
+
+TEST(TestPointSelectionFacts, HugeCoordinatesCountAsNotFinite)
+{
+  const double most = Grid<1>::MaxCoordinate;
+  const std::vector<double> x{ most, -most, std::nextafter(most, INFINITY) };
+  const PointSelection<1> selection(PointSpan<1, double>{ x.data(), x.size() }, {}, Execution());
+  EXPECT_EQ(selection.GetNumberOfPoints(), 2U);
+  EXPECT_EQ(selection.GetNumberOfSkippedPoints(), 1U);
+}
+
+TEST(TestPointSelectionFacts, BadBoxesAreRefused)
+{
+  const double x = 0.5;
+  const PointSpan<1, double> points{ &x, 1 };
+  const auto select = [&points](double lower, double upper)
+  { PointSelection<1>(points, Box<1>({ lower }, { upper }), Execution()); };
+  EXPECT_THROW(select(1.0, 0.0), std::invalid_argument);
+  EXPECT_THROW(select(NAN, 1.0), std::invalid_argument);
+  EXPECT_THROW(select(0.0, NAN), std::invalid_argument);
+  EXPECT_THROW(select(0.0, INFINITY), std::invalid_argument);
+  EXPECT_NO_THROW(select(0.5, 0.5));
+}
+
+TEST(TestPointSelectionFacts, TooManyPointsAreRefused)
+{
+  const float x = 0.0F;
+  const PointSpan<1, float> points{ &x, PointSelection<1>::MaxNumberOfPoints + 1 };
+  EXPECT_THROW(PointSelection<1>(points, {}, Execution()), std::length_error);
+}
+
+TEST(TestPointSelectionFacts, ThreadsDoNotMatter)
+{
+  constexpr std::size_t count = 5 * PointSelection<2>::ChunkSize + 1;
+  PointSample<2, float> sample{ "", MakeUniformPoints<2, float>(count, 31) };
+  sample.Coordinates[2 * PointSelection<2>::ChunkSize] = NAN;
+  const PointSelection<2> one(sample.GetSpan(), {}, Execution());
+  const PointSelection<2> eight(sample.GetSpan(), {}, Execution(OnThreads(8)));
+  EXPECT_EQ(one.GetBox().Lower, eight.GetBox().Lower);
+  EXPECT_EQ(one.GetBox().Upper, eight.GetBox().Upper);
+  for (std::size_t chunk = 0; chunk <= 6; ++chunk)
+  {
+    EXPECT_EQ(one.GetFirstOfChunk(chunk), eight.GetFirstOfChunk(chunk));
+  }
+  EXPECT_EQ(one.GetFirstOfChunk(1), PointSelection<2>::ChunkSize);
+  EXPECT_EQ(one.GetFirstOfChunk(2), 2 * PointSelection<2>::ChunkSize - 1);
+}
