@@ -41,31 +41,36 @@ public:
   {
     if (size > 0)
     {
-      this->Values.reset(static_cast<T*>(
-        memory == Memory::Zeroed ? std::calloc(size, sizeof(T)) : std::malloc(size * sizeof(T))));
-      if (!this->Values)
+      const std::size_t bytes = size * sizeof(T) + alignof(T) - 1;
+      this->Allocation.reset(memory == Memory::Zeroed ? std::calloc(bytes, 1) : std::malloc(bytes));
+      if (!this->Allocation)
       {
         throw std::bad_alloc();
       }
-      UseLargePages(this->Values.get(), this->GetBytes());
+      UseLargePages(this->Allocation.get(), bytes);
+      void* aligned = this->Allocation.get();
+      std::size_t space = bytes;
+      this->Values = static_cast<T*>(std::align(alignof(T), size * sizeof(T), aligned, space));
     }
   }
   Buffer(Buffer&& other) noexcept
-    : Values(std::move(other.Values))
+    : Allocation(std::move(other.Allocation))
+    , Values(std::exchange(other.Values, nullptr))
     , Size(std::exchange(other.Size, 0))
   {
   }
   Buffer& operator=(Buffer&& other) noexcept
   {
-    this->Values = std::move(other.Values);
+    this->Allocation = std::move(other.Allocation);
+    this->Values = std::exchange(other.Values, nullptr);
     this->Size = std::exchange(other.Size, 0);
     return *this;
   }
 
-  T& operator[](std::size_t i) { return this->Values.get()[i]; }
-  const T& operator[](std::size_t i) const { return this->Values.get()[i]; }
-  T* GetData() { return this->Values.get(); }
-  const T* GetData() const { return this->Values.get(); }
+  T& operator[](std::size_t i) { return this->Values[i]; }
+  const T& operator[](std::size_t i) const { return this->Values[i]; }
+  T* GetData() { return this->Values; }
+  const T* GetData() const { return this->Values; }
   std::size_t GetSize() const { return this->Size; }
   std::size_t GetBytes() const { return this->Size * sizeof(T); }
 
@@ -91,9 +96,10 @@ private:
 
   struct Free
   {
-    void operator()(T* values) const { std::free(values); }
+    void operator()(void* memory) const { std::free(memory); }
   };
-  std::unique_ptr<T, Free> Values;
+  std::unique_ptr<void, Free> Allocation;
+  T* Values = nullptr; ///< The first aligned place in it.
   std::size_t Size = 0;
 };
 }

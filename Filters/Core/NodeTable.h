@@ -4,12 +4,16 @@
 
 #include "Buffer.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace hashedoctree
 {
+/** Slots that a table looks at together; with values of 8 bytes they fill one cache line. */
+constexpr std::size_t SlotsOfBucket = 4;
+
 /**
  * The hash function of the paper (section 2): the low bits of the key, k mod 2^b. Neighbouring
  * keys go to neighbouring slots, but the deep nodes in the root's lower corner all have the same
@@ -19,10 +23,10 @@ namespace hashedoctree
 class LowBitsHash
 {
 public:
-  /** A power of two with a load of at most 1/2. */
+  /** Slots for so many keys: a power of two, at least twice as many. */
   explicit LowBitsHash(std::size_t numberOfKeys)
   {
-    std::size_t slots = 2;
+    std::size_t slots = SlotsOfBucket;
     while (slots < 2 * numberOfKeys)
     {
       slots *= 2;
@@ -47,8 +51,9 @@ private:
 class MixingHash
 {
 public:
+  /** Slots for so many keys: twice as many, in whole buckets. */
   explicit MixingHash(std::size_t numberOfKeys)
-    : NumberOfSlots(2 * numberOfKeys + 2)
+    : NumberOfSlots((2 * numberOfKeys / SlotsOfBucket + 1) * SlotsOfBucket)
   {
   }
   std::size_t GetNumberOfSlots() const { return static_cast<std::size_t>(this->NumberOfSlots); }
@@ -63,10 +68,13 @@ private:
 };
 
 /**
- * Key of a node to a small value; nothing but hashing. Open addressing with linear probing, at
- * most half full, sized once for the keys to come (paper E17: a fixed size wastes memory on small
- * trees). A slot of 16 bytes holds the key and its value, so that a search that hits reads one
- * cache line. Keys are kept as they are, so the answer is exact whatever the hash.
+ * Key of a node to a small value; nothing but hashing. Open addressing, at most half full, sized
+ * once for the keys to come (paper E17: a fixed size wastes memory on small trees). Keys are kept
+ * as they are, so the answer is exact whatever the hash.
+ *
+ * Slots are probed linearly, a bucket at a time. A bucket is one cache line, its keys are compared
+ * together, and it ends the probing unless it is full: so a key that is not there, which is what a
+ * search that starts too deep meets most often, costs one cache line and no guessing of branches.
  *
  * Const members may be called from many threads at once. Mean cost of Find() is O(1).
  */
@@ -82,7 +90,7 @@ public:
   /** Room for this many keys. */
   explicit NodeTable(std::size_t numberOfKeys)
     : Slots(Hash(numberOfKeys))
-    , Table(this->Slots.GetNumberOfSlots(), Memory::Zeroed)
+    , Buckets(this->Slots.GetNumberOfSlots() / SlotsOfBucket, Memory::Zeroed)
   {
   }
 
@@ -90,33 +98,45 @@ public:
    * allowed. Returns where the value is. */
   Value& Insert(std::uint64_t key, const Value& value)
   {
-    std::size_t slot = this->Slots.GetSlot(key);
-    while (this->Table[slot].Key != 0)
+    std::size_t home = this->GetHome(key);
+    while (this->Buckets[home].IsFull())
     {
-      slot = this->Next(slot);
+      home = this->GetNext(home);
     }
-    this->Table[slot] = Slot{ key, value };
+    Bucket& bucket = this->Buckets[home];
+    std::size_t slot = 0;
+    while (bucket.Keys[slot] != 0)
+    {
+      ++slot;
+    }
+    bucket.Keys[slot] = key;
+    bucket.Values[slot] = value;
     ++this->NumberOfKeys;
-    return this->Table[slot].Content;
+    return bucket.Values[slot];
   }
 
   /** Asks the machine to load the slot where a key would be, for a later Insert() or Find(). */
   void Prefetch(std::uint64_t key) const
   {
-    __builtin_prefetch(&this->Table[this->Slots.GetSlot(key)], 1);
+    __builtin_prefetch(&this->Buckets[this->GetHome(key)], 1);
   }
 
-  /** The value of a key, or null. Key 0 is never found. */
+  /** The value of a key, not 0, or null. */
   const Value* Find(std::uint64_t key) const
   {
-    for (std::size_t slot = this->Slots.GetSlot(key);; slot = this->Next(slot))
+    for (std::size_t home = this->GetHome(key);; home = this->GetNext(home))
     {
-      const Slot& here = this->Table[slot];
-      if (here.Key == key)
+      const Bucket& bucket = this->Buckets[home];
+      unsigned match = 0;
+      for (std::size_t slot = 0; slot < SlotsOfBucket; ++slot)
       {
-        return key != 0 ? &here.Content : nullptr;
+        match |= (bucket.Keys[slot] == key ? 1U : 0U) << slot;
       }
-      if (here.Key == 0)
+      if (match != 0)
+      {
+        return &bucket.Values[__builtin_ctz(match)];
+      }
+      if (!bucket.IsFull())
       {
         return nullptr;
       }
@@ -124,48 +144,52 @@ public:
   }
 
   std::size_t GetNumberOfKeys() const { return this->NumberOfKeys; }
-  std::size_t GetNumberOfSlots() const { return this->Table.GetSize(); }
+  std::size_t GetNumberOfSlots() const { return this->Buckets.GetSize() * SlotsOfBucket; }
   double GetLoadFactor() const
   {
-    return static_cast<double>(this->NumberOfKeys) / static_cast<double>(this->Table.GetSize());
+    return static_cast<double>(this->NumberOfKeys) / static_cast<double>(this->GetNumberOfSlots());
   }
-  std::size_t GetBytes() const { return this->Table.GetBytes(); }
+  std::size_t GetBytes() const { return this->Buckets.GetBytes(); }
 
-  /** How many keys are found with i + 1 looks at the table, at index i. O(slots). */
+  /** How many keys are found by looking at i + 1 buckets, at index i. O(slots). */
   std::vector<std::size_t> GetProbeLengths() const
   {
     std::vector<std::size_t> lengths;
-    for (std::size_t slot = 0; slot < this->Table.GetSize(); ++slot)
+    for (std::size_t bucket = 0; bucket < this->Buckets.GetSize(); ++bucket)
     {
-      if (this->Table[slot].Key != 0)
+      for (const std::uint64_t key : this->Buckets[bucket].Keys)
       {
-        const std::size_t home = this->Slots.GetSlot(this->Table[slot].Key);
-        const std::size_t distance =
-          slot >= home ? slot - home : slot + this->Table.GetSize() - home;
-        if (lengths.size() <= distance)
+        if (key != 0)
         {
-          lengths.resize(distance + 1, 0);
+          const std::size_t size = this->Buckets.GetSize();
+          const std::size_t distance = (bucket + size - this->GetHome(key)) % size;
+          lengths.resize(std::max(lengths.size(), distance + 1), 0);
+          ++lengths[distance];
         }
-        ++lengths[distance];
       }
     }
     return lengths;
   }
 
 private:
-  struct Slot
+  /** Slots are filled from the first on; key 0 marks a free one. */
+  struct alignas(SlotsOfBucket*(sizeof(std::uint64_t) + sizeof(Value))) Bucket
   {
-    std::uint64_t Key; ///< 0 where the slot is free.
-    Value Content;
-  };
+    std::uint64_t Keys[SlotsOfBucket];
+    Value Values[SlotsOfBucket];
 
-  std::size_t Next(std::size_t slot) const
+    bool IsFull() const { return this->Keys[SlotsOfBucket - 1] != 0; }
+  };
+  static_assert(sizeof(Value) == 8, "a bucket must fill one cache line");
+
+  std::size_t GetHome(std::uint64_t key) const { return this->Slots.GetSlot(key) / SlotsOfBucket; }
+  std::size_t GetNext(std::size_t bucket) const
   {
-    return slot + 1 == this->Table.GetSize() ? 0 : slot + 1;
+    return bucket + 1 == this->Buckets.GetSize() ? 0 : bucket + 1;
   }
 
   Hash Slots;
-  Buffer<Slot> Table;
+  Buffer<Bucket> Buckets;
   std::size_t NumberOfKeys = 0;
 };
 }

@@ -62,9 +62,12 @@ std::optional<typename Octree<Dim>::Node> Octree<Dim>::FindNode(Key key, EmptyOc
   {
     node = this->GetRoot();
   }
-  else if (const Entry* parent = this->Table.Find(key.GetParent().GetValue()))
+  else if (key.GetParent() != Key()) // which no table knows
   {
-    node = this->GetChild(parent->Block, key.GetOctant());
+    if (const Entry* parent = this->Table.Find(key.GetParent().GetValue()))
+    {
+      node = this->GetChild(parent->Block, key.GetOctant());
+    }
   }
   if (node && node->IsEmpty() && reading == EmptyOctants::Missing)
   {

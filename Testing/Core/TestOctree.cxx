@@ -98,7 +98,10 @@ TYPED_TEST(TestOctree, NodesThatDoNotExistAreNotFound)
   constexpr int dim = TestFixture::Dim;
   const SampleTree<dim, double> made(
     PointSample<dim, double>{ "u", MakeUniformPoints<dim, double>(300, 61) });
-  EXPECT_FALSE(made.Tree.FindNode(MortonKey<dim>(0)));
+  for (unsigned noKey = 0; noKey < Octree<dim>::NumberOfOctants; ++noKey)
+  {
+    EXPECT_EQ(made.Tree.FindNode(MortonKey<dim>(noKey)).has_value(), noKey == 1) << "1 is the root";
+  }
   ForEachLeaf(made.Tree,
     [&made](const auto& leaf)
     {
