@@ -1,0 +1,499 @@
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shows the octree of a file's points: its leaves, its depth histogram and what searches in it cost.
+
+In ParaView:   HASHEDOCTREE_FILE=FILE paraview --plugins=HashedOctree --script=demo.py
+As pictures:   HASHEDOCTREE_FILE=FILE pvpython demo.py --batch --plugin HashedOctree.so --output DIR
+
+FILE is anything that ParaView reads. The second form writes four pictures and two tables into DIR, all or none,
+and prints a summary. One file, because ParaView does not tell a script where it lies.
+"""
+import argparse
+import contextlib
+import csv
+import os
+import sys
+import tempfile
+
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkTable
+
+PICTURE_SIZE = 1600, 1000
+HALF = PICTURE_SIZE[0] // 2, 860  # of a picture of the octree, above its legend
+# A slice through more leaves than these takes too long for a demo.
+MAX_LEAVES_IN_SLICE = 4_000_000
+TEXT, EDGE, WHITE = [0.13] * 3, [0.2] * 3, [1.0] * 3
+# From shallow or cheap to deep or dear: ColorBrewer's Spectral, reversed and its middle less pale.
+SCALE = np.array([[0x5e, 0x4f, 0xa2], [0x32, 0x88, 0xbd], [0x66, 0xc2, 0xa5], [0x9a, 0xd6, 0x92], [0xd9, 0xea, 0x72],
+                  [0xfd, 0xd4, 0x66], [0xfd, 0xae, 0x51], [0xf4, 0x6d, 0x43], [0xd5, 0x3e, 0x4f]]) / 255
+
+
+class DemoError(Exception):
+    """What went wrong and what to do, in one line."""
+
+
+@contextlib.contextmanager
+def quiet():
+    """Keeps what VTK writes off stderr, so that an error is one line; gives it back if Python itself fails."""
+    sys.stderr.flush()
+    kept = os.dup(2)
+    with tempfile.TemporaryFile() as said:
+        os.dup2(said.fileno(), 2)
+        try:
+            yield
+        except DemoError:
+            raise
+        except Exception:
+            said.seek(0)
+            os.write(kept, said.read())
+            raise
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
+
+
+# ---- Data -----------------------------------------------------------------------------------------------------------
+
+def read_points(path):
+    """A source whose output is one data set with explicit points."""
+    if not path:
+        raise DemoError("no file; name one in HASHEDOCTREE_FILE")
+    if not os.path.isfile(path):
+        raise DemoError(f"{path} {'is not a file' if os.path.exists(path) else 'does not exist'}; "
+                        "give a file with points")
+    if not os.access(path, os.R_OK):
+        raise DemoError(f"{path} may not be read; change its permissions or give another file")
+    unreadable = DemoError(f"ParaView cannot read {path}; give a file with points, "
+                           "such as .ply .obj .stl .vtp .vtk .vtu")
+    try:
+        source = simple.OpenDataFile(path)
+    except RuntimeError:
+        source = None
+    if not source:
+        raise unreadable
+    simple.RenameSource(os.path.basename(path), source)
+    source.UpdatePipeline()
+    source = to_point_set(source)
+    if not source or source.GetDataInformation().GetNumberOfPoints() == 0:
+        raise DemoError(f"{path} holds no points; give a file with points")
+    return source
+
+
+def to_point_set(source):
+    """Blocks become one data set, a grid with implied points gets explicit ones; None for what has no points."""
+    information = source.GetDataInformation().DataInformation
+    if information.IsCompositeDataSet():
+        source = simple.MergeBlocks(Input=source, MergePoints=0)
+        source.UpdatePipeline()
+        information = source.GetDataInformation().DataInformation
+    if not information.DataSetTypeIsA("vtkDataSet"):
+        return None
+    if not information.DataSetTypeIsA("vtkPointSet"):
+        source = simple.ConvertToPointCloud(Input=source)
+        source.UpdatePipeline()
+    return source
+
+
+def apply_octree(source, path):
+    octree = simple.HashedOctree(Input=source)
+    octree.UpdatePipeline()
+    if octree.GetDataInformation().GetNumberOfCells() == 0:
+        raise DemoError(f"no octree could be built from {path}; are its coordinates finite?")
+    return octree
+
+
+def field_data(octree):
+    """The figures of the octree by name."""
+    data = servermanager.Fetch(octree, idx=0).GetFieldData()
+    return {data.GetArrayName(i): data.GetArray(i).GetTuple1(0) for i in range(data.GetNumberOfArrays())}
+
+
+def table(octree, port):
+    """The columns of a table by name."""
+    rows = servermanager.Fetch(octree, idx=port).GetRowData()
+    return {rows.GetArrayName(i): vtk_to_numpy(rows.GetArray(i)) for i in range(rows.GetNumberOfArrays())}
+
+
+def write_csv(path, columns):
+    with open(path, "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(zip(*(column.tolist() for column in columns.values())))
+
+
+def human_bytes(count):
+    for unit in ("bytes", "KiB", "MiB", "GiB"):
+        if count < 1024 or unit == "GiB":
+            return f"{count:.0f} {unit}" if unit == "bytes" else f"{count:.1f} {unit}"
+        count /= 1024
+
+
+def summary(path, figures):
+    def count(name):
+        return f"{figures[name]:,.0f}"
+
+    lines = [("file", path),
+             ("points", count("NumberOfPoints")),
+             ("nodes", count("NumberOfNodes")),
+             ("leaves", count("NumberOfLeaves")),
+             ("empty leaves", count("NumberOfEmptyLeaves")),
+             ("deepest", count("DeepestDepth")),
+             ("start depth by leaves", count("StartDepthLeaves")),
+             ("start depth by points", count("StartDepthPoints")),
+             ("start depth by grid", count("StartDepthGrid")),
+             ("mean cost from it", f"{figures['MeanHitCost']:.3f} nodes, leaves equally often"),
+             ("mean cost from root", f"{figures['MeanRootCost']:.3f} nodes"),
+             ("ratio", f"{figures['CostRatio']:.2f}"),
+             ("tree", f"{human_bytes(figures['TreeBytes'])} ({count('TreeBytes')} bytes)"),
+             ("build time", f"{figures['BuildSeconds']:.3f} s")]
+    if figures["SkippedPoints"]:
+        lines.append(("skipped", f"{count('SkippedPoints')} points that are not finite"))
+    return "\n".join(f"{name:<22} {value}" for name, value in lines)
+
+
+# ---- Octree in space ------------------------------------------------------------------------------------------------
+
+class Stage:
+    """Where the leaves are and from where to look at them; all in the units of the data."""
+
+    def __init__(self, bounds, path):
+        low, high = np.array(bounds).reshape(3, 2).T
+        extent = high - low
+        self.middle, self.side = (low + high) / 2, max(extent) or 1.0
+        thin = int(np.argmin(extent))
+        self.flat = 0 < max(extent) and extent[thin] < self.side / 4
+        # Heights are along the thin axis of what is flat; objects in these formats mostly stand along y.
+        is_object = os.path.splitext(path)[1].lower() in (".obj", ".ply", ".gltf", ".glb")
+        up_axis = thin if self.flat else (1 if is_object else 2)
+        back_axis = 2 if up_axis == 1 else 1
+        self.up = np.eye(3)[up_axis]
+        self.front = np.eye(3)[back_axis] * (1 if up_axis == 1 else -1)
+        self.right = np.cross(self.up, self.front)
+        # The slice stands at the back of what is flat and goes through the middle of what is not; inside the root,
+        # which begins at the lower corner, and by odd fractions off the faces of cells.
+        behind = 0.4927 * extent[back_axis] if self.flat else 0.00137 * self.side
+        origin = self.middle - behind * self.front
+        self.slice_origin = np.clip(origin, low + 0.00137 * self.side, low + 0.99863 * self.side)
+
+    def shows_edges(self, figures, pixels):
+        """Whether the edges of most leaves leave some of their colour to be seen in a view of that many pixels."""
+        return pixels > 10 * 2 ** figures["StartDepthPoints"]
+
+    def look(self, view, sideways, height):
+        """From the front, moved to the right and up, at all there is in the view."""
+        direction = self.front + sideways * self.right + height * self.up
+        view.CameraFocalPoint = list(self.middle)
+        view.CameraPosition = list(self.middle + 3 * self.side * direction)
+        view.CameraViewUp = list(self.up)
+        view.SMProxy.ResetCamera(True)  # True: as near as the shape of the view allows
+
+    def look_closely(self, view, target, width):
+        """At a target in the same direction; the view is about that wide at the target, if that is nearer."""
+        away = np.subtract(view.CameraPosition, view.CameraFocalPoint)
+        distance = width / 2 / np.tan(np.radians(view.CameraViewAngle / 2))
+        if distance < np.linalg.norm(away):
+            view.CameraFocalPoint = list(target)
+            view.CameraPosition = list(target + away * (distance / np.linalg.norm(away)))
+
+
+def slice_all_leaves(source, stage):
+    """A cut through the whole octree, empty leaves too."""
+    leaves = simple.HashedOctree(Input=source, IncludeEmptyLeaves=1)
+    cut = simple.Slice(Input=leaves)
+    cut.SliceType.Origin, cut.SliceType.Normal = list(stage.slice_origin), list(stage.front)
+    cut.Triangulatetheslice = 0
+    cut.UpdatePipeline()
+    return cut
+
+
+def leaves_between(cells, least_depth, greatest_depth):
+    return simple.Threshold(Input=cells, Scalars=["CELLS", "Depth"], ThresholdMethod="Between",
+                            LowerThreshold=least_depth, UpperThreshold=greatest_depth)
+
+
+def most_varied_place(octree, stage):
+    """A leaf amid the tile, of 8 x 8 seen from above, where depths differ most; and the tile's median depth."""
+    centers = servermanager.Fetch(simple.CellCenters(Input=octree))
+    places, depths = vtk_to_numpy(centers.GetPoints().GetData()), vtk_to_numpy(centers.GetPointData().GetArray("Depth"))
+    across = places @ np.column_stack((stage.right, stage.front))
+    tile = np.floor((across - across.min(0)) / (stage.side * 1.0001) * 8).astype(int) @ [8, 1]
+    count = np.bincount(tile, minlength=64)
+    mean = np.bincount(tile, depths, 64) / np.maximum(1, count)
+    # A few leaves make no picture: they count as if there were fifty, most of them alike.
+    spread = np.bincount(tile, (depths - mean[tile]) ** 2, 64) / np.maximum(50, count)
+    inside = tile == np.argmax(spread)
+    amid = np.argmin(np.linalg.norm(places[inside] - places[inside].mean(0), axis=1))
+    return places[inside][amid], np.median(depths[inside])
+
+
+def set_colors(array, least, greatest):
+    """One colour and one label for each whole number from the least to the greatest."""
+    steps = np.arange(int(least), int(greatest) + 1)
+    at = (steps - steps[0]) / max(1, len(steps) - 1) * (len(SCALE) - 1)
+    colors = np.column_stack([np.interp(at, np.arange(len(SCALE)), channel) for channel in SCALE.T])
+    function = simple.GetColorTransferFunction(array)
+    function.InterpretValuesAsCategories = 1
+    function.AnnotationsInitialized = 1
+    function.Annotations = [str(step) for step in steps for _ in range(2)]
+    function.IndexedColors = list(colors.ravel())
+    return function
+
+
+def show_cells(source, view, edges, ambient=0.3):
+    shown = simple.Show(source, view)
+    shown.Representation = "Surface With Edges" if edges else "Surface"
+    shown.EdgeColor, shown.Ambient, shown.Diffuse = EDGE, ambient, 1 - ambient
+    simple.ColorBy(shown, ("CELLS", "Depth"))
+    return shown
+
+
+def white_view(width, height):
+    view = simple.CreateView("RenderView")
+    view.ViewSize = width, height
+    view.UseColorPaletteForBackground, view.Background = 0, WHITE
+    view.OrientationAxesVisibility = 0
+    return view
+
+
+def show_whole(stage, octree, cut, figures):
+    """A view of what is flat with the slice behind it, of the rest of the slice alone."""
+    view, shown = white_view(*HALF), []
+    if stage.flat or not cut:
+        shown.append(show_cells(octree, view, edges=False))
+    if cut:
+        # Edges of leaves that are only a few pixels wide would hide their colours.
+        edged = int(np.log2(HALF[0] / 6))
+        shown.append(show_cells(leaves_between(cut, 0, edged), view, edges=True, ambient=1))
+        shown.append(show_cells(leaves_between(cut, edged + 1, figures["DeepestDepth"]), view, edges=False, ambient=1))
+    stage.look(view, *((0.4, 0.75) if stage.flat else (0, 0) if cut else (0.5, 0.35)))
+    return view, shown
+
+
+def show_leaves(stage, octree, figures):
+    """A view of the leaves that hold points; of what is flat a part, near enough to tell the leaves apart."""
+    view = white_view(*HALF)
+    shown = [show_cells(octree, view, stage.flat or stage.shows_edges(figures, HALF[1]))]
+    stage.look(view, *((0.4, 0.75) if stage.flat else (0.5, 0.35)))
+    if stage.flat:
+        place, depth = most_varied_place(octree, stage)
+        # Nearer still, and the leaves would lie before what the camera can see along with the rest.
+        stage.look_closely(view, place, max(80 / 2 ** depth, 0.02) * stage.side)
+    return view, shown
+
+
+def show_captions(captions):
+    """A view with one caption below each half of the picture and room for a colour bar."""
+    view = white_view(PICTURE_SIZE[0], PICTURE_SIZE[1] - HALF[1])
+    for half, caption in enumerate(captions):
+        text = simple.Show(simple.Text(Text=caption), view)
+        text.Color, text.FontSize, text.WindowLocation = TEXT, 20, "Any Location"
+        text.Position = [0.02 + 0.5 * half, 0.75]
+    return view
+
+
+def show_color_bar(view, array, title):
+    bar = simple.GetScalarBar(simple.GetColorTransferFunction(array), view)
+    bar.Title, bar.ComponentTitle = title, ""
+    bar.Orientation, bar.WindowLocation, bar.Position = "Horizontal", "Any Location", [0.15, 0.22]
+    bar.ScalarBarLength, bar.ScalarBarThickness = 0.7, 22
+    bar.TitleColor = bar.LabelColor = TEXT
+    bar.TitleFontSize, bar.LabelFontSize, bar.Visibility = 20, 20, 1
+    return bar
+
+
+def lay_out(whole, leaves, captions):
+    layout = simple.CreateLayout()
+    layout.SplitVertical(0, HALF[1] / PICTURE_SIZE[1])
+    layout.SplitHorizontal(1, 0.5)
+    for cell, view in ((3, whole), (4, leaves), (2, captions)):
+        layout.AssignView(cell, view)
+    layout.SetSize(PICTURE_SIZE)
+    return layout
+
+
+def octree_pictures(folder, stage, source, octree, figures):
+    cut = slice_all_leaves(source, stage) if figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE else None
+    held = "Leaves that hold points"
+    if stage.flat:
+        captions = held + (", before a slice through all leaves" if cut else ""), "A closer look"
+    else:
+        captions = "Slice through all leaves" if cut else held, held
+    whole, shown = show_whole(stage, octree, cut, figures)
+    leaves, more_shown = show_leaves(stage, octree, figures)
+    below = show_captions(captions)
+    layout = lay_out(whole, leaves, below)
+    for array, title in (("Depth", "Depth of the leaf (0 = root)"),
+                         ("HitCost", "Hit cost: nodes that a search examines to find the leaf, "
+                                     f"starting at depth {figures['StartDepth']:.0f}")):
+        ranges = [cells.CellData[array].GetRange() for cells in (octree, cut) if cells]
+        set_colors(array, min(low for low, _ in ranges), max(high for _, high in ranges))
+        for representation in shown + more_shown:
+            simple.ColorBy(representation, ("CELLS", array))
+        bar = show_color_bar(below, array, title)
+        simple.SaveScreenshot(os.path.join(folder, f"octree-{array.lower()}.png"), layout,
+                              ImageResolution=PICTURE_SIZE, SeparatorWidth=2, SeparatorColor=WHITE)
+        bar.Visibility = 0
+
+
+# ---- Charts ---------------------------------------------------------------------------------------------------------
+
+def histogram_view(octree, figures, depth_step=1):
+    view = simple.CreateView("HashedOctreeDepthHistogramView")
+    simple.Show(simple.OutputPort(octree, 1), view)
+    histogram = table(octree, 1)
+    view.ChartTitle = f"{figures['NumberOfLeaves']:,.0f} leaves, {figures['NumberOfEmptyLeaves']:,.0f} of them empty"
+    view.ChartTitleFontSize = 12
+    label_axis(view, "Bottom", -0.6, histogram["Depth"].max() + 0.6, depth_step)
+    most = max(histogram[name].max() for name in ("Leaves", "EmptyLeaves", "Points"))
+    label_axis(view, "Left", 0, 1.05 * most, step_between_labels(most))
+    return view
+
+
+def cost_view(octree, figures, depth_step=1):
+    view = simple.CreateView("HashedOctreeCostCurvesView")
+    simple.Show(simple.OutputPort(octree, 2), view)
+    view.ChartTitle = f"{figures['MeanHitCost']:.2f} nodes from depth {figures['StartDepth']:.0f}, " \
+                      f"{figures['MeanRootCost']:.2f} from the root"
+    view.ChartTitleFontSize = 12
+    label_axis(view, "Bottom", -0.1, figures["DeepestDepth"] + 0.1, depth_step)
+    label_axis(view, "Left", 0, highest_cost(octree) + 0.5, step_between_labels(highest_cost(octree)))
+    return view
+
+
+def highest_cost(octree):
+    return max(column.max() for name, column in table(octree, 2).items() if name != "StartDepth")
+
+
+def step_between_labels(top):
+    """The least whole number 1, 2 or 5 times a power of ten that needs at most ten labels up to the top."""
+    power = 1
+    while top > 100 * power:
+        power *= 10
+    return next((factor * power for factor in (1, 2, 5) if factor * power * 10 >= top), 10 * power)
+
+
+def label_axis(view, axis, low, high, step):
+    """Whole numbers at each step from 0 to the end of the axis."""
+    labels = [(str(at), f"{at:,}") for at in range(0, int(high) + 1, int(step))]
+    setattr(view, f"{axis}AxisUseCustomRange", 1)
+    setattr(view, f"{axis}AxisRangeMinimum", float(low))
+    setattr(view, f"{axis}AxisRangeMaximum", float(high))
+    setattr(view, f"{axis}AxisUseCustomLabels", 1)
+    setattr(view, f"{axis}AxisLabels", [word for label in labels for word in label])
+
+
+def mark_start_depth(view, octree, figures):
+    """A line at the start depth over the height of the chart."""
+    name = f"Start depth {figures['StartDepth']:.0f}"
+    line = vtkTable()
+    for column_name, values in (("x", [figures["StartDepth"]] * 2), (name, [0, highest_cost(octree)])):
+        column = numpy_to_vtk(np.array(values, float), deep=True)
+        column.SetName(column_name)
+        line.AddColumn(column)
+    source = servermanager.sources.PVTrivialProducer()
+    source.GetClientSideObject().SetOutput(line)
+    shown = simple.Show(source, view, "XYChartRepresentation")
+    shown.UseIndexForXAxis, shown.XArrayName, shown.SeriesVisibility = 0, "x", [name]
+    shown.SeriesColor = [name] + [str(channel) for channel in TEXT]
+    shown.SeriesLineStyle = [name, "3"]
+
+
+def chart_picture(path, view, axis_titles, legend_position):
+    view.ViewSize = PICTURE_SIZE
+    view.BottomAxisTitle, view.LeftAxisTitle = axis_titles
+    view.ChartTitleFontSize = 26
+    for axis in ("Left", "Bottom"):
+        setattr(view, f"{axis}AxisTitleFontSize", 24)
+        setattr(view, f"{axis}AxisLabelFontSize", 20)
+    view.LegendFontSize, view.LegendSymbolWidth = 20, 40
+    view.LegendLocation, view.LegendPosition = "Custom", legend_position
+    simple.SaveScreenshot(path, view, ImageResolution=PICTURE_SIZE)
+    simple.Delete(view)
+
+
+def chart_pictures(folder, octree, figures):
+    chart_picture(os.path.join(folder, "depth-histogram.png"), histogram_view(octree, figures),
+                  ("Depth (0 = root)", "Number at this depth"), (160, 800))
+    view = cost_view(octree, figures)
+    mark_start_depth(view, octree, figures)
+    chart_picture(os.path.join(folder, "cost-curves.png"), view,
+                  ("Start depth of the search (0 = root)", "Nodes examined to find a leaf, mean"), (680, 710))
+
+
+# ---- The two ways to run it -----------------------------------------------------------------------------------------
+
+def show(path):
+    """In ParaView: the octree at the left, the two charts above each other at the right."""
+    with quiet():
+        source = read_points(path)
+        octree = apply_octree(source, path)
+    figures = field_data(octree)
+    view = simple.GetActiveViewOrCreate("RenderView")
+    layout = simple.GetLayout(view)
+    layout.SplitHorizontal(0, 0.55)
+    layout.SplitVertical(2, 0.5)
+    stage = Stage(octree.GetDataInformation().GetBounds(), path)
+    set_colors("Depth", *octree.CellData["Depth"].GetRange())
+    shown = show_cells(octree, view, stage.shows_edges(figures, view.ViewSize[1]))
+    shown.SetScalarBarVisibility(view, True)
+    stage.look(view, 0.4, 0.75 if stage.flat else 0.35)
+    depth_step = 1 if figures["DeepestDepth"] <= 10 else 2  # as many labels as small charts have room for
+    layout.AssignView(5, histogram_view(octree, figures, depth_step))
+    layout.AssignView(6, cost_view(octree, figures, depth_step))
+    simple.SetActiveSource(octree)
+    simple.SetActiveView(view)
+
+
+def write_all(path, folder):
+    """In batch: pictures and tables into the folder, all of them or none."""
+    with quiet():
+        source = read_points(path)
+        octree = apply_octree(source, path)
+        figures = field_data(octree)
+        os.makedirs(folder, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder) as unfinished:
+            # Charts first: after pictures of layouts, ParaView leaves traces of earlier text in them.
+            chart_pictures(unfinished, octree, figures)
+            octree_pictures(unfinished, Stage(octree.GetDataInformation().GetBounds(), path), source, octree, figures)
+            write_csv(os.path.join(unfinished, "depth-histogram.csv"), table(octree, 1))
+            write_csv(os.path.join(unfinished, "cost-curves.csv"), table(octree, 2))
+            for name in os.listdir(unfinished):
+                os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
+    print(summary(path, figures))
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(prog="demo.py", description=__doc__.splitlines()[0])
+    parser.add_argument("--batch", action="store_true", help="write pictures and tables instead of showing them")
+    parser.add_argument("--plugin", metavar="FILE", help="the plugin's library, where it is not loaded yet")
+    parser.add_argument("--output", metavar="DIR", default=".", help="where to write; default: the current directory")
+    return parser.parse_args()
+
+
+def load_plugin(path):
+    try:
+        simple.LoadPlugin(path, remote=False, ns=vars(simple))
+    except RuntimeError:
+        raise DemoError(f"cannot load the plugin {path}; build it first") from None
+
+
+def main():
+    arguments = parse_arguments()
+    path = os.environ.get("HASHEDOCTREE_FILE", "")
+    try:
+        if arguments.plugin:
+            with quiet():
+                load_plugin(arguments.plugin)
+        if arguments.batch:
+            write_all(path, arguments.output)
+        else:
+            show(path)
+    except (DemoError, OSError) as error:
+        os.write(2, f"demo: {error}\n".encode())  # in ParaView's window sys.stderr is a widget
+        os._exit(1)  # ParaView itself would go on, and leave with 0
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Benchmarks_RatioReporter_h
+#define Testing_Benchmarks_RatioReporter_h
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+/**
+ * Collects the real time of every repetition of benchmarks named "subject/data" and prints, after
+ * Google Benchmark's own table, one Markdown row per data set: the median time of each subject in
+ * milliseconds, its spread (largest less smallest, in percent of the median), and how many times
+ * the median of the first subject it is.
+ */
+class RatioReporter : public benchmark::ConsoleReporter
+{
+public:
+  void ReportRuns(const std::vector<Run>& runs) override
+  {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs)
+    {
+      if (run.run_type == Run::RT_Iteration && !run.error_occurred)
+      {
+        const std::string& name = run.run_name.function_name;
+        const std::size_t slash = name.find('/');
+        this->Add(name.substr(0, slash), name.substr(slash + 1),
+          1e3 * run.real_accumulated_time / static_cast<double>(run.iterations));
+      }
+      this->Failed = this->Failed || run.error_occurred;
+    }
+  }
+
+  void Finalize() override
+  {
+    ConsoleReporter::Finalize();
+    std::printf("\n| data |");
+    for (const std::string& subject : this->Subjects)
+    {
+      std::printf(" %s |", subject.c_str());
+    }
+    std::printf("\n|---|");
+    for (std::size_t i = 0; i < this->Subjects.size(); ++i)
+    {
+      std::printf("---|");
+    }
+    for (const std::string& data : this->DataSets)
+    {
+      std::printf("\n| %s |", data.c_str());
+      const double base = Median(this->Times[{ *this->Subjects.begin(), data }]);
+      for (const std::string& subject : this->Subjects)
+      {
+        const std::vector<double>& times = this->Times[{ subject, data }];
+        const double median = Median(times);
+        const auto [least, most] = std::minmax_element(times.begin(), times.end());
+        std::printf(" %.1f ms (%.0f %%), x %.2f |", median,
+          times.empty() ? 0.0 : 100.0 * (*most - *least) / median, median / base);
+      }
+    }
+    std::printf("\n");
+  }
+
+  bool HasFailed() const { return this->Failed; }
+
+private:
+  void Add(const std::string& subject, const std::string& data, double milliseconds)
+  {
+    this->Subjects.insert(subject);
+    this->DataSets.insert(data);
+    this->Times[{ subject, data }].push_back(milliseconds);
+  }
+
+  static double Median(std::vector<double> times)
+  {
+    if (times.empty())
+    {
+      return 0.0;
+    }
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+  }
+
+  std::set<std::string> Subjects;
+  std::set<std::string> DataSets;
+  std::map<std::pair<std::string, std::string>, std::vector<double>> Times;
+  bool Failed = false;
+};
+
+/** Runs the registered benchmarks: repetitions in random order, so that a machine that changes its
+ * speed slows all subjects alike. Returns the exit code. */
+inline int RunInTurns(int argc, char** argv)
+{
+  std::vector<std::string> defaults{ argv[0], "--benchmark_repetitions=5",
+    "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.2" };
+  defaults.insert(defaults.end(), argv + 1, argv + argc);
+  std::vector<char*> arguments;
+  for (std::string& argument : defaults)
+  {
+    arguments.push_back(argument.data());
+  }
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
+  {
+    return 1;
+  }
+  RatioReporter reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  return reporter.HasFailed() ? 1 : 0;
+}
+
+#endif
