@@ -1,0 +1,160 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Installs what is missing and builds. A second run with nothing to do takes a second.
+#   Plugin/setup.sh [--tests] [--benchmarks]     the plugin and the Python package, in build/
+#   Plugin/setup.sh --sanitize address|thread    the tests with a sanitizer, in build/asan or build/tsan
+set -euo pipefail
+
+root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+# Debian's tools first: a cmake or python3 from elsewhere does not fit Debian's ParaView.
+PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"
+
+build="$root/build"
+packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libdouble-conversion-dev
+  g++ cmake ninja-build xvfb xauth libgl1-mesa-dri libqt5svg5) # the last: ParaView's icons
+test_packages=(libgtest-dev clang-format clang-tidy)
+benchmark_packages=(libbenchmark-dev)
+options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
+sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo BUILD_TESTING:BOOL=ON
+  HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:BOOL=OFF)
+
+fail() {
+  printf 'error: %s\n' "$1" >&2
+  exit 1
+}
+
+read_arguments() {
+  while (($#)); do
+    case "$1" in
+      --tests)
+        packages+=("${test_packages[@]}")
+        options+=(BUILD_TESTING:BOOL=ON) ;;
+      --benchmarks)
+        packages+=("${benchmark_packages[@]}")
+        options+=(HASHEDOCTREE_BENCHMARKS:BOOL=ON) ;;
+      --sanitize)
+        packages+=("${test_packages[@]}")
+        case "${2:-}" in
+          address)
+            build="$root/build/asan"
+            options+=("${sanitizer_options[@]}" 'HASHEDOCTREE_SANITIZE:STRING=address,undefined') ;;
+          thread)
+            build="$root/build/tsan"
+            options+=("${sanitizer_options[@]}" HASHEDOCTREE_SANITIZE:STRING=thread) ;;
+          *) fail "--sanitize takes address or thread" ;;
+        esac
+        shift ;;
+      *) fail "unknown option $1; see the head of Plugin/setup.sh" ;;
+    esac
+    shift
+  done
+  log="$build/setup.log"
+}
+
+missing_packages() {
+  local installed package
+  installed="$(dpkg-query --show --showformat '${Package} ${db:Status-Status}\n' \
+    "${packages[@]}" 2>/dev/null)" || true # it also fails when one of them is unknown
+  for package in "${packages[@]}"; do
+    grep --quiet --line-regexp --fixed-strings "$package installed" <<<"$installed" || echo "$package"
+  done
+}
+
+# Reads the output of a long command: all of it goes to the log, its percentages to the terminal.
+show_progress() {
+  local line percent shown=-1
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >>"$log"
+    # apt says "dlstatus:1:12.5:..." or "pmstatus:cmake:12.5:...", ninja "[ 12%] ..."
+    [[ $line =~ ^(dlstatus:[^:]*:|pmstatus:[^:]*:|\[\ *)([0-9]+) ]] || continue
+    percent="${BASH_REMATCH[2]}"
+    ((percent / 10 > shown)) || continue
+    ((shown >= 0)) || printf '%s:' "$1"
+    shown=$((percent / 10))
+    printf ' %d%%' "$percent"
+  done
+  ((shown < 0)) || printf '\n'
+}
+
+# apt reports its progress on 3, which sudo would close; on 1, packages would have no output.
+apt_get() {
+  "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
+    sh -c 'exec apt-get -o Dpkg::Use-Pty=0 -o APT::Status-Fd=3 "$@" 3>&1 2>&1' \
+    apt-get --no-install-recommends "$@"
+}
+
+fail_apt() {
+  grep '^E: ' "$log" | tail -n 1 >&2 || true
+  fail "$1; all that apt-get said is in $log"
+}
+
+become_root() {
+  as_root=()
+  ((EUID == 0)) && return
+  command -v sudo >/dev/null || fail "not root, and no sudo; as root, run: apt-get install $*"
+  as_root=(sudo)
+  sudo -v || fail "sudo refuses; ask an administrator to run: apt-get install $*"
+}
+
+install_packages() {
+  echo "Missing packages: $*"
+  become_root "$@"
+  apt_get update >>"$log" || true # old lists may do; if not, the next steps fail and say so
+
+  local plan
+  plan="$(apt_get --assume-no install "$@")" || true # it fails, having been told "no"
+  printf '%s\n' "$plan" >>"$log"
+  grep --quiet 'newly installed' <<<"$plan" ||
+    fail_apt "apt-get cannot find what is missing; is the network up, and is this Debian 12?"
+  grep -E 'newly installed|^Need to get|^After this operation' <<<"$plan"
+
+  apt_get --yes --download-only install "$@" | show_progress 'Downloading' ||
+    fail_apt "apt-get could not download; is the network up, and is there room on the disk?"
+  apt_get --yes install "$@" | show_progress 'Installing' || fail_apt "apt-get could not install"
+}
+
+install_missing() {
+  command -v apt-get >/dev/null ||
+    fail "no apt-get here; install what these Debian packages hold, then use cmake: ${packages[*]}"
+  local missing
+  mapfile -t missing < <(missing_packages)
+  ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
+}
+
+cache_has() {
+  grep --quiet --line-regexp --fixed-strings "$1" "$build/CMakeCache.txt" 2>/dev/null
+}
+
+configure() {
+  local option start=() needed=no
+  if ! [[ -f "$build/build.ninja" ]] || ! cache_has "CMAKE_HOME_DIRECTORY:INTERNAL=$root"; then
+    start=(--fresh -G Ninja -DBUILD_TESTING:BOOL=OFF)
+    needed=yes
+  fi
+  for option in "${options[@]}"; do
+    cache_has "$option" || needed=yes
+  done
+  [[ $needed == yes ]] || return 0
+  echo "Configuring $build"
+  cmake "${start[@]}" "${options[@]/#/-D}" -S "$root" -B "$build" >>"$log" 2>&1 ||
+    fail_with_log "the configuration failed"
+}
+
+build_all() {
+  NINJA_STATUS='[%p] ' cmake --build "$build" 2>&1 | show_progress 'Building' ||
+    fail_with_log "the build failed"
+}
+
+fail_with_log() {
+  tail -n 40 "$log" >&2
+  fail "$1; the last lines are above, all of it is in $log"
+}
+
+read_arguments "$@"
+mkdir -p "$build" || fail "cannot write to $root"
+: >"$log"
+install_missing
+configure
+build_all

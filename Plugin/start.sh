@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+set -euo pipefail
+
+root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+demo="$root/build/demo"
+log="$demo/demo.log"
+
+usage() {
+  cat <<'END'
+Usage: Plugin/start.sh [--batch] [FILE]
+
+Sets everything up, then shows the octree of the points in FILE in ParaView. FILE is anything that
+ParaView reads (.ply .obj .stl .vtp .vtk .vtu ...); without it, a measured terrain is shown.
+Without a display, or with --batch, pictures and tables are written to build/demo/ instead.
+END
+}
+
+fail() {
+  printf 'error: %s\n' "$1" >&2
+  exit 1
+}
+
+read_arguments() {
+  batch=no
+  file=
+  [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] || batch=yes
+  while (($#)); do
+    case "$1" in
+      -h | --help)
+        usage
+        exit ;;
+      --batch) batch=yes ;;
+      -*) fail "unknown option $1; try --help" ;;
+      *)
+        [[ -z "$file" ]] || fail "one FILE at a time; try --help"
+        file="$1"
+        check_file ;;
+    esac
+    shift
+  done
+}
+
+check_file() {
+  [[ -e "$file" ]] || fail "$file does not exist; give the path of a file that ParaView can read"
+  [[ -f "$file" ]] || fail "$file is not a file; give the path of a file that ParaView can read"
+  [[ -r "$file" ]] || fail "$file cannot be read; check its permissions"
+  file="$(realpath -- "$file")"
+}
+
+make_terrain() {
+  file="$root/build/data/terrain.vtp"
+  [[ ! -f "$file" ]] || return 0
+  mkdir -p "$root/build/data"
+  echo "Making $file"
+  pvpython "$root/Data/make_terrain.py" "$file.part.vtp" >"$log" 2>&1 || fail_with_log
+  mv "$file.part.vtp" "$file"
+}
+
+show_in_paraview() {
+  echo "Opening ParaView; its messages go to $log"
+  # --dr: ParaView's welcome window would hold the script up, and the user's settings stay as they are.
+  paraview --dr --plugin-search-paths="${plugin%/*}" --plugins=HashedOctree \
+    --script="$root/Plugin/Demo/demo.py" >"$log" 2>&1 || fail_with_log
+}
+
+write_pictures() {
+  xvfb-run -a -s '-screen 0 1920x1200x24' pvpython "$root/Plugin/Demo/demo.py" \
+    --batch --plugin "$plugin" --output "$demo" 2>"$log" || fail_with_log
+  echo "Pictures and tables are in $demo"
+}
+
+# Passes on the exit code and the one line that our scripts wrote; all else in the log is ParaView's.
+fail_with_log() {
+  local code=$?
+  grep -E '^(demo|make_terrain): ' "$log" >&2 || {
+    tail -n 20 "$log" >&2
+    printf 'error: ParaView failed; the last lines are above, all of it is in %s\n' "$log" >&2
+  }
+  exit "$code"
+}
+
+read_arguments "$@"
+"$root/Plugin/setup.sh"
+PATH="/usr/bin:/bin:$PATH" # Debian's ParaView, as in setup.sh
+mkdir -p "$demo"
+[[ -n "$file" ]] || make_terrain
+export HASHEDOCTREE_FILE="$file"
+plugin="$(echo "$root"/build/lib/paraview-*/plugins/HashedOctree/HashedOctree.so)"
+export PYTHONPATH="$root/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
+export VTK_SMP_BACKEND_IN_USE="${VTK_SMP_BACKEND_IN_USE:-STDThread}" # ParaView's own is one thread
+if [[ $batch == yes ]]; then
+  write_pictures
+else
+  show_in_paraview
+fi

@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# One line registers one test. A test whose host is not there (no VTK, no plugin) is still recorded
+# as registered, because Registered.cmake compares the record with the files under Testing.
+
+# hashedoctree_add_core_test(<name>): GoogleTest in Core/<name>.cxx, with no VTK linked.
+function (hashedoctree_add_core_test name)
+  _hashedoctree_record("Core/${name}.cxx")
+  _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core)
+endfunction ()
+
+# hashedoctree_add_vtk_test(<name> [<library>...]): GoogleTest in Cxx/<name>.cxx.
+function (hashedoctree_add_vtk_test name)
+  _hashedoctree_record("Cxx/${name}.cxx")
+  if (NOT HASHEDOCTREE_HAVE_VTK)
+    return ()
+  endif ()
+  _hashedoctree_add_gtest("${name}" "Cxx/${name}.cxx" vtk
+    HashedOctree::Filters HashedOctree::Core VTK::FiltersSources ${ARGN})
+endfunction ()
+
+# hashedoctree_add_python_test(<name> [DISPLAY]): Python/<name>.py in pvpython, with the plugin loaded
+# and the package hashedoctree on the path. DISPLAY is for tests that render. The script is given
+# -T <folder for its output> -V <its baseline image> -D <Data>, as paraview.smtesting reads them.
+function (hashedoctree_add_python_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "")
+  _hashedoctree_record("Python/${name}.py")
+  if (NOT HASHEDOCTREE_HAVE_PLUGIN OR NOT HASHEDOCTREE_HAVE_PYTHON)
+    return ()
+  endif ()
+  set(display)
+  if (arg_DISPLAY)
+    find_program(XVFB_RUN xvfb-run REQUIRED) # Debian: xvfb xauth
+    set(display "${XVFB_RUN}" -a -s "-screen 0 1280x1024x24")
+  endif ()
+  add_test(NAME "${name}" COMMAND ${display}
+    "$<TARGET_FILE:ParaView::pvpython>" --dr "${CMAKE_CURRENT_SOURCE_DIR}/Python/${name}.py"
+    -T "${CMAKE_CURRENT_BINARY_DIR}/Temporary/${name}"
+    -V "${PROJECT_SOURCE_DIR}/Data/Baseline/${name}.png"
+    -D "${PROJECT_SOURCE_DIR}/Data")
+  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/Temporary/${name}")
+  set(environment
+    "PYTHONPATH=${PROJECT_BINARY_DIR}/${HASHEDOCTREE_PYTHON_DIR}"
+    "PV_PLUGIN_PATH=$<TARGET_FILE_DIR:HashedOctree>")
+  set_tests_properties("${name}" PROPERTIES
+    LABELS python ENVIRONMENT "${environment}" TIMEOUT 300)
+endfunction ()
+
+# hashedoctree_add_checks(): what is tested of the project as a whole.
+function (hashedoctree_add_checks)
+  get_property(registered GLOBAL PROPERTY HASHEDOCTREE_REGISTERED_TESTS)
+  list(JOIN registered "\n" registered)
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/Registered.txt" "${registered}\n")
+  foreach (check IN ITEMS Registered Layers Format Tidy)
+    add_test(NAME "Check${check}" COMMAND "${CMAKE_COMMAND}"
+      "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DBINARY_DIR=${PROJECT_BINARY_DIR}"
+      -P "${CMAKE_CURRENT_SOURCE_DIR}/CMake/Check${check}.cmake")
+    set_tests_properties("Check${check}" PROPERTIES LABELS style)
+  endforeach ()
+  set_tests_properties(CheckTidy PROPERTIES PROCESSORS 2 TIMEOUT 1500)
+
+  if (HASHEDOCTREE_HAVE_PLUGIN AND HASHEDOCTREE_HAVE_PYTHON)
+    add_test(NAME CheckInstall COMMAND "${CMAKE_COMMAND}"
+      "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DBINARY_DIR=${PROJECT_BINARY_DIR}"
+      "-DCONFIG=$<CONFIG>" "-DGENERATOR=${CMAKE_GENERATOR}"
+      "-DPYTHON=${Python3_EXECUTABLE}" "-DPVPYTHON=$<TARGET_FILE:ParaView::pvpython>"
+      "-DPYTHON_DIR=${HASHEDOCTREE_PYTHON_DIR}" "-DPLUGIN=$<TARGET_FILE_NAME:HashedOctree>"
+      -P "${CMAKE_CURRENT_SOURCE_DIR}/CMake/CheckInstall.cmake")
+    set_tests_properties(CheckInstall PROPERTIES LABELS install TIMEOUT 600)
+  endif ()
+endfunction ()
+
+function (_hashedoctree_record file)
+  set_property(GLOBAL APPEND PROPERTY HASHEDOCTREE_REGISTERED_TESTS "${file}")
+endfunction ()
+
+function (_hashedoctree_add_gtest name file label)
+  add_executable("${name}" "${file}")
+  target_include_directories("${name}" PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Support")
+  target_link_libraries("${name}" PRIVATE ${ARGN} GTest::gtest_main)
+  hashedoctree_own_code("${name}")
+  add_test(NAME "${name}" COMMAND "${name}")
+  set_tests_properties("${name}" PROPERTIES LABELS "${label}" TIMEOUT 600)
+endfunction ()

@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Installs the project, moves the result, and uses it as others do: from CMake, Python and ParaView.
+function (run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction ()
+
+set(work "${BINARY_DIR}/Testing/Install")
+set(prefix "${work}/moved here")
+file(REMOVE_RECURSE "${work}")
+run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --config "${CONFIG}" --prefix "${work}/first")
+file(RENAME "${work}/first" "${prefix}")
+
+# What must not be there: paths of the build, the core, and the static wrapper.
+file(GLOB_RECURSE files "${prefix}/*")
+foreach (file IN LISTS files)
+  if (file MATCHES "\\.a$")
+    message(SEND_ERROR "A static library is installed: ${file}")
+  endif ()
+  file(READ "${file}" content HEX)
+  string(HEX "${BINARY_DIR}/" needle)
+  if (content MATCHES "${needle}")
+    message(SEND_ERROR "The path of the build is in ${file}")
+  endif ()
+endforeach ()
+
+run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${SOURCE_DIR}/Testing/Consumer" -B "${work}/consumer"
+  "-DCMAKE_PREFIX_PATH=${prefix}" "-DPython3_EXECUTABLE=${PYTHON}" -DCMAKE_BUILD_TYPE=Release)
+run("${CMAKE_COMMAND}" --build "${work}/consumer")
+run("${work}/consumer/consumer")
+
+file(GLOB_RECURSE plugin "${prefix}/*/${PLUGIN}")
+set(ENV{PYTHONPATH} "${prefix}/${PYTHON_DIR}")
+run("${PVPYTHON}" --dr "${SOURCE_DIR}/Testing/Consumer/LoadInstalled.py" "${plugin}" "${prefix}")
