@@ -4,13 +4,13 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
-#include "vtkSMPTools.h"
 
 namespace hashedoctree
 {
-PointsAdaptor::PointsAdaptor(vtkPoints* points)
+PointsAdaptor::PointsAdaptor(vtkPoints* points, const Execution& execution)
   : Count(static_cast<std::size_t>(points->GetNumberOfPoints()))
 {
+  constexpr std::size_t grain = 8192; // Points that a thread copies at a time.
   vtkDataArray* data = points->GetData();
   if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(data))
   {
@@ -22,16 +22,16 @@ PointsAdaptor::PointsAdaptor(vtkPoints* points)
   }
   else
   {
-    this->Copy.resize(3 * this->Count);
-    vtkSMPTools::For(0, points->GetNumberOfPoints(),
-      [this, data](vtkIdType first, vtkIdType last)
+    this->Copy = Buffer<double>(3 * this->Count);
+    execution.For(this->Count, grain,
+      [this, data](std::size_t first, std::size_t last)
       {
-        for (vtkIdType i = first; i < last; ++i)
+        for (std::size_t i = first; i < last; ++i)
         {
-          data->GetTuple(i, this->Copy.data() + 3 * i);
+          data->GetTuple(static_cast<vtkIdType>(i), &this->Copy[3 * i]);
         }
       });
-    this->Doubles = this->Copy.data();
+    this->Doubles = this->Copy.GetData();
   }
 }
 }

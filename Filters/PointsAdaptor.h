@@ -2,9 +2,8 @@
 #ifndef PointsAdaptor_h
 #define PointsAdaptor_h
 
+#include "Buffer.h"
 #include "PointSelection.h"
-
-#include <vector>
 
 class vtkPoints;
 
@@ -18,7 +17,8 @@ namespace hashedoctree
 class PointsAdaptor
 {
 public:
-  explicit PointsAdaptor(vtkPoints* points);
+  /** Throws Interrupted while it copies. */
+  PointsAdaptor(vtkPoints* points, const Execution& execution);
 
   /** Calls function(span) with a PointSpan<3, float> or PointSpan<3, double>. */
   template <typename Function>
@@ -38,7 +38,7 @@ private:
   const float* Floats = nullptr;
   const double* Doubles = nullptr;
   std::size_t Count = 0;
-  std::vector<double> Copy;
+  Buffer<double> Copy;
 };
 }
 

@@ -38,7 +38,8 @@ namespace
 {
 constexpr int NumberOfPorts = 3;
 
-/** Shares of the progress of one tree; the rest is for its cells. */
+/** Shares of the progress of one tree: where each step ends. The rest is for its cells. */
+constexpr double AdaptorShare = 0.02;
 constexpr double SelectionShare = 0.05;
 constexpr double BuildShare = 0.3;
 constexpr double MeasuringShare = 0.6;
@@ -186,12 +187,12 @@ private:
     options.MaxDepth = this->Self->MaxDepth;
 
     const auto start = std::chrono::steady_clock::now();
-    const PointsAdaptor points(input->GetPoints());
+    const PointsAdaptor points(input->GetPoints(), execution.Part(0.0, AdaptorShare));
     Tree tree;
     points.Visit(
       [&](auto span)
       {
-        const PointSelection<3> selection(span, box, execution.Part(0.0, SelectionShare));
+        const PointSelection<3> selection(span, box, execution.Part(AdaptorShare, SelectionShare));
         tree.Nodes =
           Octree<3>(span, selection, options, execution.Part(SelectionShare, BuildShare));
         tree.SkippedPoints = selection.GetNumberOfSkippedPoints();

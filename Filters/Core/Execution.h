@@ -34,7 +34,7 @@ public:
   using Progress = std::function<bool(double fraction)>;
 
   /** Grains between two reports of progress. */
-  static constexpr std::size_t BatchGrains = 64;
+  static constexpr std::size_t BatchGrains = 32;
 
   /** One thread, no reports. */
   Execution()
