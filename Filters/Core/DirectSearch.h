@@ -107,8 +107,7 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
     octant = key.AtDepth(depth).GetOctant();
     if ((here.Internal >> octant & 1U) == 0)
     {
-      return found(key.AtDepth(depth), SearchCase::Down,
-        here.FirstPoint[octant] != here.FirstPoint[octant + 1]);
+      return found(key.AtDepth(depth), SearchCase::Down, (here.Occupied >> octant & 1U) != 0);
     }
     block = Octree<Dim>::GetChildBlock(here, octant);
   }

@@ -167,7 +167,7 @@ private:
           (below != nullptr) == child.Internal, "the table finds nothing else", child.NodeKey);
       }
       this->Require(entry != nullptr && entry->Internal == this->Tree.GetBlock(block).Internal &&
-          entry->Occupied == occupied,
+          entry->Occupied == occupied && this->Tree.GetBlock(block).Occupied == occupied,
         "keys and masks agree", key);
     }
   }

@@ -10,9 +10,9 @@ namespace
 {
 constexpr int DigitBits = 9; // Three depths of an octree; 512 counters stay in the first cache.
 constexpr std::size_t NumberOfDigits = std::size_t(1) << DigitBits;
-constexpr std::size_t InsertionLimit = 32;  // Up to here insertion beats counting digits.
-constexpr std::size_t SerialLimit = 32768;  // Up to here one thread sorts a range on its own.
-constexpr std::size_t ChunkSize = 16384;    // Points that a thread partitions at a time.
+constexpr std::size_t InsertionLimit = 32; // Up to here insertion beats counting digits.
+constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a range on its own.
+constexpr std::size_t ChunkSize = 16384;   // Points that a thread partitions at a time.
 
 using DigitCounts = std::array<std::uint32_t, NumberOfDigits>;
 

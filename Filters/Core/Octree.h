@@ -73,6 +73,7 @@ public:
   {
     std::uint32_t FirstChild; ///< Block of the first internal child; no meaning when there is none.
     OctantMask<Dim> Internal; ///< Children that are internal nodes.
+    OctantMask<Dim> Occupied; ///< Children that hold points.
     std::array<std::uint32_t, NumberOfOctants + 1>
       FirstPoint; ///< Where each range begins and ends.
   };
@@ -82,7 +83,7 @@ public:
   {
     std::uint32_t Block;
     OctantMask<Dim> Internal; ///< As in the block.
-    OctantMask<Dim> Occupied; ///< Children that hold points.
+    OctantMask<Dim> Occupied; ///< As in the block.
   };
 
   /** Any node: its key and the range of its points in Morton order. */

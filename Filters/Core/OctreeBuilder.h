@@ -182,9 +182,11 @@ private:
     const bool canSplit = static_cast<int>(depth) < this->Tree.BuildOptions.MaxDepth;
     this->FindChildRanges(key, block.FirstPoint);
     unsigned internal = 0;
+    unsigned occupied = 0;
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
     {
       const std::size_t count = block.FirstPoint[octant + 1] - block.FirstPoint[octant];
+      occupied |= (count != 0 ? 1U : 0U) << octant;
       if (canSplit && count > this->Tree.BuildOptions.MaxPointsPerLeaf)
       {
         internal |= 1U << octant;
@@ -197,6 +199,7 @@ private:
       }
     }
     block.Internal = static_cast<OctantMask<Dim>>(internal);
+    block.Occupied = static_cast<OctantMask<Dim>>(occupied);
   }
 
   /** Where the range of each child begins and ends, given where the first one begins. */
@@ -297,25 +300,15 @@ private:
       {
         this->Tree.Table.Prefetch(
           this->Tree.BlockKeys[std::min(node + PrefetchDistance, numberOfNodes - 1)].GetValue());
-        this->Tree.Table.Insert(this->Tree.BlockKeys[node].GetValue(), this->MakeEntry(node));
+        const Block& block = this->Tree.Blocks[node];
+        this->Tree.Table.Insert(this->Tree.BlockKeys[node].GetValue(),
+          Entry{ static_cast<std::uint32_t>(node), block.Internal, block.Occupied });
       }
       execution.Tell(static_cast<double>(last) / static_cast<double>(numberOfNodes));
     }
   }
   static constexpr std::size_t TableBatch = 262144;   ///< Nodes between two reports of progress.
   static constexpr std::size_t PrefetchDistance = 16; ///< Nodes ahead whose slots are on the way.
-
-  Entry MakeEntry(std::size_t node) const
-  {
-    const Block& block = this->Tree.Blocks[node];
-    unsigned occupied = 0;
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
-    {
-      occupied |= (block.FirstPoint[octant] != block.FirstPoint[octant + 1] ? 1U : 0U) << octant;
-    }
-    return Entry{ static_cast<std::uint32_t>(node), block.Internal,
-      static_cast<OctantMask<Dim>>(occupied) };
-  }
 
   Octree<Dim>& Tree;
   const Buffer<CodedPoint<Dim>>& Points;
