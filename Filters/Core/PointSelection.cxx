@@ -85,10 +85,7 @@ PointSelection<Dim>::PointSelection(
   {
     this->FirstOfChunk.push_back(this->FirstOfChunk.back() + chunk.Kept);
     this->Skipped += chunk.Skipped;
-    if (!this->HasBox)
-    {
-      this->Bounds.Add(chunk.Bounds);
-    }
+    this->Bounds.Add(chunk.Bounds); // A given box holds it already.
   }
   this->Outside = points.Count - this->Skipped - this->GetNumberOfPoints();
 }
