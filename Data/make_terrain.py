@@ -81,6 +81,8 @@ def write(surface, path):
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(partial)
         writer.SetInputData(surface)
+        # Not appended, the default: ParaView 5.11 cannot read that with the expat of Debian's security updates.
+        writer.SetDataModeToBinary()
         if not writer.Write():
             raise OSError("the disk may be full")
         os.replace(partial, path)

@@ -53,11 +53,19 @@ TEST(TestNodeCornersFacts, GrowsWhenFewCornersAreShared)
 {
   // Leaves far apart share nothing, so that the corners are eight times the nodes.
   PointSample<3, double> sample{ "apart", {} };
-  for (int i = 0; i < 20000; ++i)
+  for (int x = 0; x < 27; ++x)
   {
-    sample.Coordinates.insert(sample.Coordinates.end(),
-      { i % 30 + 1e-3, i / 30 % 30 + 1e-3, i / 900 + 1e-3, i % 30 + 1.5e-3, i / 30 % 30 + 1.5e-3,
-        i / 900 + 1.5e-3 });
+    for (int y = 0; y < 27; ++y)
+    {
+      for (int z = 0; z < 27; ++z)
+      {
+        for (const double offset : { 1e-3, 1.5e-3 })
+        {
+          sample.Coordinates.insert(
+            sample.Coordinates.end(), { x + offset, y + offset, z + offset });
+        }
+      }
+    }
   }
   const SampleTree<3, double> made(sample);
   const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());

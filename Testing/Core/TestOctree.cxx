@@ -168,11 +168,15 @@ TEST(TestOctreeFacts, UniformGridHasOneDepth)
 {
   // The full octree as a special case (paper section 1): 16^3 cells.
   PointSample<3, double> sample{ "grid", {} };
-  for (int i = 0; i < 4096; ++i)
+  for (int x = 0; x < 16; ++x)
   {
-    // The last cell holds the root's upper faces, so the lattice is one cell finer than its cells.
-    sample.Coordinates.insert(
-      sample.Coordinates.end(), { i % 16 * 1.0625, i / 16 % 16 * 1.0625, i / 256 * 1.0625 });
+    for (int y = 0; y < 16; ++y)
+    {
+      for (int z = 0; z < 16; ++z)
+      {
+        sample.Coordinates.insert(sample.Coordinates.end(), { 1.0 * x, 1.0 * y, 1.0 * z });
+      }
+    }
   }
   const SampleTree<3, double> made(sample);
   const DepthHistogram expected{ 0, 0, 0, 0, 4096 };
