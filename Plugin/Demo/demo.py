@@ -77,8 +77,17 @@ def read_points(path):
     source.UpdatePipeline()
     source = to_point_set(source)
     if not source or source.GetDataInformation().GetNumberOfPoints() == 0:
+        if has_appended_data(path):
+            raise DemoError(f"{path} gave no points; if it holds some, save it as ascii or inline binary: ParaView 5.11 "
+                            "cannot read appended data with the expat of Debian's security updates")
         raise DemoError(f"{path} holds no points; give a file with points")
     return source
+
+
+def has_appended_data(path):
+    """Whether a file is one of VTK's XML formats with its arrays after the XML."""
+    with open(path, "rb") as file:
+        return b"<VTKFile" in file.read(1024) and b"<AppendedData" in file.read()
 
 
 def to_point_set(source):
