@@ -2,6 +2,7 @@
 #include "OctreeCells.h"
 
 #include "DirectSearch.h"
+#include "LargePages.h"
 #include "NodeCorners.h"
 
 #include "vtkCellArray.h"
@@ -13,6 +14,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkTypeUInt64Array.h"
 #include "vtkUnstructuredGrid.h"
@@ -23,12 +25,23 @@ namespace
 {
 constexpr std::size_t Grain = 8192; // Nodes or corners that a thread does at a time.
 
+/** Up to so many nodes, all ids of their cells fit into 32 bits and take half the memory. */
+constexpr std::size_t MaxNodesWithShortIds = std::size_t(1) << 27;
+
+/** Gives an array its size, in memory that nothing has been written to. */
+template <typename Array>
+void Resize(Array* array, std::size_t size)
+{
+  array->SetNumberOfValues(static_cast<vtkIdType>(size));
+  UseLargePages(array->GetPointer(0), size * sizeof(typename Array::ValueType));
+}
+
 template <typename Array>
 vtkNew<Array> MakeArray(const char* name, std::size_t size)
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(size));
+  Resize(array.Get(), size);
   return array;
 }
 
@@ -49,10 +62,10 @@ void ForEach(std::size_t count, const Execution& execution, const Function& func
 vtkNew<vtkPoints> MakePoints(
   const Grid<3>& grid, const NodeCorners<3>& corners, const Execution& execution)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(corners.GetNumberOfCorners()));
-  double* x = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  Resize(coordinates.Get(), 3 * corners.GetNumberOfCorners());
+  double* x = coordinates->GetPointer(0);
   ForEach(corners.GetNumberOfCorners(), execution,
     [&grid, &corners, x](std::size_t i)
     {
@@ -62,18 +75,24 @@ vtkNew<vtkPoints> MakePoints(
         x[3 * i + axis] = grid.GetCorner(corner[axis], static_cast<int>(axis));
       }
     });
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
   return points;
 }
 
 /** Cells of `size` points each, in one array. */
+template <typename IdArray>
 void SetCells(vtkCellArray* cells, std::size_t numberOfCells, std::size_t size,
-  vtkTypeInt64Array* connectivity, const Execution& execution)
+  IdArray* connectivity, const Execution& execution)
 {
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(numberOfCells + 1));
+  vtkNew<IdArray> offsets;
+  Resize(offsets.Get(), numberOfCells + 1);
   ForEach(numberOfCells + 1, execution,
     [&offsets, size](std::size_t i)
-    { offsets->SetValue(static_cast<vtkIdType>(i), static_cast<vtkTypeInt64>(i * size)); });
+    {
+      offsets->SetValue(
+        static_cast<vtkIdType>(i), static_cast<typename IdArray::ValueType>(i * size));
+    });
   cells->SetData(offsets, connectivity);
 }
 
@@ -85,39 +104,60 @@ constexpr std::array<unsigned, 16> OutlinePath{ 0, 1, 3, 2, 0, 4, 5, 1, 5, 7, 3,
 void OctreeCells::MakeVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
 {
   const Nodes nodes = ListNodes(this->Tree, this->Options, execution.Part(0.0, 0.1));
-  vtkNew<vtkTypeInt64Array> connectivity;
-  connectivity->SetNumberOfValues(
-    static_cast<vtkIdType>(nodes.GetSize() * NodeCorners<3>::CornersOfNode));
-  const NodeCorners<3> corners(nodes, connectivity->GetPointer(0), execution.Part(0.1, 0.6));
-  output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.6, 0.7)));
-  vtkNew<vtkCellArray> cells;
-  SetCells(
-    cells, nodes.GetSize(), NodeCorners<3>::CornersOfNode, connectivity, execution.Part(0.7, 0.75));
-  output->SetCells(VTK_VOXEL, cells);
-  this->AddArrays(nodes, output, execution.Part(0.75, 1.0));
+  const Execution rest = execution.Part(0.1, 1.0);
+  nodes.GetSize() <= MaxNodesWithShortIds
+    ? this->FillVoxels<vtkTypeInt32Array>(nodes, output, rest)
+    : this->FillVoxels<vtkTypeInt64Array>(nodes, output, rest);
 }
 
 void OctreeCells::MakeOutlines(vtkPolyData* output, const Execution& execution) const
 {
   const Nodes nodes = ListNodes(this->Tree, this->Options, execution.Part(0.0, 0.1));
-  Buffer<vtkTypeInt64> voxels(nodes.GetSize() * NodeCorners<3>::CornersOfNode);
-  const NodeCorners<3> corners(nodes, voxels.GetData(), execution.Part(0.1, 0.5));
-  output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.5, 0.6)));
-  vtkNew<vtkTypeInt64Array> connectivity;
-  connectivity->SetNumberOfValues(static_cast<vtkIdType>(nodes.GetSize() * OutlinePath.size()));
-  ForEach(nodes.GetSize(), execution.Part(0.6, 0.7),
-    [&voxels, path = connectivity->GetPointer(0)](std::size_t node)
+  const Execution rest = execution.Part(0.1, 1.0);
+  nodes.GetSize() <= MaxNodesWithShortIds
+    ? this->FillOutlines<vtkTypeInt32Array>(nodes, output, rest)
+    : this->FillOutlines<vtkTypeInt64Array>(nodes, output, rest);
+}
+
+template <typename IdArray>
+void OctreeCells::FillVoxels(
+  const Nodes& nodes, vtkUnstructuredGrid* output, const Execution& execution) const
+{
+  constexpr std::size_t size = NodeCorners<3>::CornersOfNode;
+  this->AddArrays(nodes, output, execution.Part(0.0, 0.2));
+  vtkNew<IdArray> connectivity;
+  Resize(connectivity.Get(), nodes.GetSize() * size);
+  const NodeCorners<3> corners(nodes, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
+  output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.8, 0.9)));
+  vtkNew<vtkCellArray> cells;
+  SetCells(cells.Get(), nodes.GetSize(), size, connectivity.Get(), execution.Part(0.9, 1.0));
+  output->SetCells(VTK_VOXEL, cells);
+}
+
+template <typename IdArray>
+void OctreeCells::FillOutlines(
+  const Nodes& nodes, vtkPolyData* output, const Execution& execution) const
+{
+  using Id = typename IdArray::ValueType;
+  constexpr std::size_t size = OutlinePath.size();
+  this->AddArrays(nodes, output, execution.Part(0.0, 0.2));
+  Buffer<Id> voxels(nodes.GetSize() * NodeCorners<3>::CornersOfNode);
+  const NodeCorners<3> corners(nodes, voxels.GetData(), execution.Part(0.2, 0.7));
+  output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.7, 0.8)));
+  vtkNew<IdArray> connectivity;
+  Resize(connectivity.Get(), nodes.GetSize() * size);
+  Id* path = connectivity->GetPointer(0);
+  ForEach(nodes.GetSize(), execution.Part(0.8, 0.9),
+    [&voxels, path](std::size_t node)
     {
-      for (std::size_t i = 0; i < OutlinePath.size(); ++i)
+      for (std::size_t i = 0; i < size; ++i)
       {
-        path[node * OutlinePath.size() + i] =
-          voxels[node * NodeCorners<3>::CornersOfNode + OutlinePath[i]];
+        path[node * size + i] = voxels[node * NodeCorners<3>::CornersOfNode + OutlinePath[i]];
       }
     });
   vtkNew<vtkCellArray> lines;
-  SetCells(lines, nodes.GetSize(), OutlinePath.size(), connectivity, execution.Part(0.7, 0.75));
+  SetCells(lines.Get(), nodes.GetSize(), size, connectivity.Get(), execution.Part(0.9, 1.0));
   output->SetLines(lines);
-  this->AddArrays(nodes, output, execution.Part(0.75, 1.0));
 }
 
 template <typename DataSet>

@@ -34,6 +34,11 @@ public:
 private:
   using Nodes = Buffer<Octree<3>::Node>;
 
+  template <typename IdArray>
+  void FillVoxels(
+    const Nodes& nodes, vtkUnstructuredGrid* output, const Execution& execution) const;
+  template <typename IdArray>
+  void FillOutlines(const Nodes& nodes, vtkPolyData* output, const Execution& execution) const;
   template <typename DataSet>
   void AddArrays(const Nodes& nodes, DataSet* output, const Execution& execution) const;
 

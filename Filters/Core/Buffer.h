@@ -2,17 +2,14 @@
 #ifndef hashedoctree_Buffer_h
 #define hashedoctree_Buffer_h
 
+#include "LargePages.h"
+
 #include <cstddef>
-#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
-
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
 
 namespace hashedoctree
 {
@@ -75,25 +72,6 @@ public:
   std::size_t GetBytes() const { return this->Size * sizeof(T); }
 
 private:
-  /** Asks for large pages where they pay: far fewer page faults while an array is filled, and fewer
-   * misses when it is read at random. Only a hint. */
-  static void UseLargePages(void* memory, std::size_t bytes)
-  {
-#ifdef __linux__
-    constexpr std::size_t pageSize = 4096;
-    constexpr std::size_t worthwhile = std::size_t(4) << 20;
-    if (bytes >= worthwhile)
-    {
-      const auto address = reinterpret_cast<std::uintptr_t>(memory);
-      const std::uintptr_t first = (address + pageSize - 1) / pageSize * pageSize;
-      madvise(reinterpret_cast<void*>(first), address + bytes - first, MADV_HUGEPAGE);
-    }
-#else
-    static_cast<void>(memory);
-    static_cast<void>(bytes);
-#endif
-  }
-
   struct Free
   {
     void operator()(void* memory) const { std::free(memory); }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodeCorners.h"
 
+#include <utility>
+#include <vector>
+
 namespace hashedoctree
 {
 namespace
@@ -37,8 +40,78 @@ struct Extent
   }
 };
 
-constexpr std::size_t BatchSize = 131072;   // Nodes or corners between two reports of progress.
+constexpr std::size_t BatchSize = 65536;    // Nodes between two reports of progress.
 constexpr std::size_t PrefetchDistance = 6; // Nodes ahead whose corners are on the way.
+
+/**
+ * Codes to numbers, in shards that grow one by one: neither growing nor freeing one takes long
+ * enough to keep an abort waiting, as it would with a single table for a hundred million corners.
+ */
+class CornerNumbers
+{
+public:
+  CornerNumbers()
+    : Shards(NumberOfShards)
+  {
+  }
+
+  void Prefetch(std::uint64_t code) const { this->GetShard(code).Numbers.Prefetch(code); }
+
+  /** The number of a code, which is `next` when it is new. Sets `hasGrown` when that took long. */
+  std::uint64_t FindOrInsert(std::uint64_t code, std::uint64_t next, bool& hasGrown)
+  {
+    Shard& shard = this->Shards[GetShardOf(code)];
+    if (const std::uint64_t* number = shard.Numbers.Find(code))
+    {
+      return *number;
+    }
+    if (shard.Numbers.GetNumberOfKeys() == shard.Room)
+    {
+      shard.Grow();
+      hasGrown = true;
+    }
+    return shard.Numbers.Insert(code, next);
+  }
+
+  /** Frees everything, with reports of progress in between. */
+  void Clear(const Execution& execution)
+  {
+    while (!this->Shards.empty())
+    {
+      this->Shards.pop_back();
+      execution.Tell(1.0);
+    }
+  }
+
+private:
+  static constexpr std::size_t NumberOfShards = 64;
+  // Small, so that the memory of all shards is not touched at once.
+  static constexpr std::size_t FirstRoom = 64;
+
+  struct Shard
+  {
+    std::size_t Room = FirstRoom;
+    NodeTable<std::uint64_t> Numbers{ FirstRoom };
+
+    void Grow()
+    {
+      this->Room *= 2;
+      NodeTable<std::uint64_t> larger(this->Room);
+      this->Numbers.ForEach(
+        [&larger](std::uint64_t code, std::uint64_t number) { larger.Insert(code, number); });
+      this->Numbers = std::move(larger);
+    }
+  };
+
+  static std::size_t GetShardOf(std::uint64_t code)
+  {
+    // Another constant than that of the tables: a shard must not be one part of its table's slots.
+    return static_cast<std::size_t>(code * 0xd6e8feb86659fd93U >> 58);
+  }
+  const Shard& GetShard(std::uint64_t code) const { return this->Shards[GetShardOf(code)]; }
+
+  std::vector<Shard> Shards;
+};
 }
 
 template <int Dim>
@@ -72,48 +145,36 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
   : Codes(nodes.GetSize() * CornersOfNode)
 {
   const std::size_t numberOfNodes = nodes.GetSize();
-  std::size_t room = std::min(this->Codes.GetSize(), 2 * numberOfNodes + CornersOfNode);
-  NodeTable<Integer> numbers(room);
+  CornerNumbers numbers;
+  bool hasGrown = false;
   for (std::size_t node = 0; node < numberOfNodes; ++node)
   {
-    if (room < this->Codes.GetSize() && this->Count + CornersOfNode > room)
-    {
-      room = std::min(this->Codes.GetSize(), 2 * room);
-      numbers = NodeTable<Integer>(room);
-      for (std::size_t corner = 0; corner < this->Count; ++corner)
-      {
-        numbers.Insert(this->Codes[corner], static_cast<Integer>(corner));
-        if (corner % BatchSize == 0)
-        {
-          execution.Tell(static_cast<double>(node) / static_cast<double>(numberOfNodes));
-        }
-      }
-    }
     const Extent<Dim> ahead(nodes[std::min(node + PrefetchDistance, numberOfNodes - 1)].NodeKey);
     const Extent<Dim> extent(nodes[node].NodeKey);
     for (unsigned corner = 0; corner < CornersOfNode; ++corner)
     {
       numbers.Prefetch(Code(ahead.GetCorner(corner)));
       const std::uint64_t code = Code(extent.GetCorner(corner));
-      const Integer* number = numbers.Find(code);
-      if (number == nullptr)
+      const std::uint64_t number = numbers.FindOrInsert(code, this->Count, hasGrown);
+      if (number == this->Count)
       {
-        this->Codes[this->Count] = code;
-        number = &numbers.Insert(code, static_cast<Integer>(this->Count++));
+        this->Codes[this->Count++] = code;
       }
-      connectivity[node * CornersOfNode + corner] = *number;
+      connectivity[node * CornersOfNode + corner] = static_cast<Integer>(number);
     }
-    if (node % BatchSize == 0)
+    if (hasGrown || node % BatchSize == 0)
     {
+      hasGrown = false;
       execution.Tell(static_cast<double>(node) / static_cast<double>(numberOfNodes));
     }
   }
+  numbers.Clear(execution);
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template class NodeCorners<Dim>;                                                                 \
   template NodeCorners<Dim>::NodeCorners(                                                          \
-    const Buffer<Octree<Dim>::Node>&, long*, const Execution&);                                    \
+    const Buffer<Octree<Dim>::Node>&, int*, const Execution&);                                     \
   template NodeCorners<Dim>::NodeCorners(                                                          \
     const Buffer<Octree<Dim>::Node>&, long long*, const Execution&);
 HASHEDOCTREE_INSTANTIATE(1)

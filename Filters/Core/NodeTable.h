@@ -143,6 +143,20 @@ public:
     }
   }
 
+  /** Calls function(key, value) for every key, in no order of meaning. O(slots). */
+  template <typename Function>
+  void ForEach(const Function& function) const
+  {
+    for (std::size_t bucket = 0; bucket < this->Buckets.GetSize(); ++bucket)
+    {
+      const Bucket& here = this->Buckets[bucket];
+      for (std::size_t slot = 0; slot < SlotsOfBucket && here.Keys[slot] != 0; ++slot)
+      {
+        function(here.Keys[slot], here.Values[slot]);
+      }
+    }
+  }
+
   std::size_t GetNumberOfKeys() const { return this->NumberOfKeys; }
   std::size_t GetNumberOfSlots() const { return this->Buckets.GetSize() * SlotsOfBucket; }
   double GetLoadFactor() const

@@ -20,31 +20,51 @@ function (hashedoctree_add_vtk_test name)
     HashedOctree::Filters HashedOctree::Core VTK::FiltersSources ${ARGN})
 endfunction ()
 
-# hashedoctree_add_python_test(<name> [DISPLAY]): Python/<name>.py in pvpython, with the plugin loaded
-# and the package hashedoctree on the path. DISPLAY is for tests that render. The script is given
-# -T <folder for its output> -V <its baseline image> -D <Data>, as paraview.smtesting reads them.
+# hashedoctree_add_python_test(<name> [DISPLAY | PLAIN | SERVER | RANKS <n>]): Python/<name>.py with the
+# package hashedoctree on its path, and the plugin's file in $HASHEDOCTREE_PLUGIN, in
+#   pvpython; with DISPLAY for tests that render
+#   PLAIN      the Python that ParaView was built for
+#   SERVER     pvpython as the client of a pvserver of two processes; the test is <name>OnServer
+#   RANKS <n>  pvbatch in n processes
+# The script is given -T <folder for its output> -V <its baseline image> -D <Data>, as
+# paraview.smtesting reads them.
 function (hashedoctree_add_python_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY" "" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY;PLAIN;SERVER" "RANKS" "")
   _hashedoctree_record("Python/${name}.py")
   if (NOT HASHEDOCTREE_HAVE_PLUGIN OR NOT HASHEDOCTREE_HAVE_PYTHON)
     return ()
   endif ()
-  set(display)
+  set(script "${CMAKE_CURRENT_SOURCE_DIR}/Python/${name}.py")
+  set(command "$<TARGET_FILE:ParaView::pvpython>" --dr)
   if (arg_DISPLAY)
     find_program(XVFB_RUN xvfb-run REQUIRED) # Debian: xvfb xauth
-    set(display "${XVFB_RUN}" -a -s "-screen 0 1280x1024x24")
+    list(PREPEND command "${XVFB_RUN}" -a -s "-screen 0 1280x1024x24")
+  elseif (arg_PLAIN)
+    set(command "${Python3_EXECUTABLE}")
+  elseif (arg_SERVER)
+    string(APPEND name "OnServer")
+    list(PREPEND command "$<TARGET_FILE:ParaView::smTestDriver>"
+      --server "$<TARGET_FILE:ParaView::pvserver>" --client)
+  elseif (arg_RANKS)
+    find_program(MPIEXEC mpiexec REQUIRED) # Debian: openmpi-bin
+    set(command "${MPIEXEC}" -n "${arg_RANKS}" "$<TARGET_FILE:ParaView::pvbatch>" --dr --symmetric)
   endif ()
-  add_test(NAME "${name}" COMMAND ${display}
-    "$<TARGET_FILE:ParaView::pvpython>" --dr "${CMAKE_CURRENT_SOURCE_DIR}/Python/${name}.py"
-    -T "${CMAKE_CURRENT_BINARY_DIR}/Temporary/${name}"
-    -V "${PROJECT_SOURCE_DIR}/Data/Baseline/${name}.png"
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/Temporary/${name}")
+  file(MAKE_DIRECTORY "${folder}")
+  add_test(NAME "${name}" COMMAND ${command} "${script}"
+    -T "${folder}" -V "${PROJECT_SOURCE_DIR}/Data/Baseline/${name}.png"
     -D "${PROJECT_SOURCE_DIR}/Data")
-  file(MAKE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/Temporary/${name}")
   set(environment
-    "PYTHONPATH=${PROJECT_BINARY_DIR}/${HASHEDOCTREE_PYTHON_DIR}"
-    "PV_PLUGIN_PATH=$<TARGET_FILE_DIR:HashedOctree>")
+    "PYTHONPATH=${PROJECT_BINARY_DIR}/${HASHEDOCTREE_PYTHON_DIR}" "PYTHONDONTWRITEBYTECODE=1"
+    "HASHEDOCTREE_PLUGIN=$<TARGET_FILE:HashedOctree>"
+    # MPI as root, as in a container, and on fewer cores than processes.
+    "OMPI_ALLOW_RUN_AS_ROOT=1" "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"
+    "OMPI_MCA_rmaps_base_oversubscribe=1")
   set_tests_properties("${name}" PROPERTIES
     LABELS python ENVIRONMENT "${environment}" TIMEOUT 300)
+  if (arg_SERVER OR arg_RANKS)
+    set_tests_properties("${name}" PROPERTIES PROCESSORS 2)
+  endif ()
 endfunction ()
 
 # hashedoctree_add_checks(): what is tested of the project as a whole.

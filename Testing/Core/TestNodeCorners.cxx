@@ -69,7 +69,7 @@ TEST(TestNodeCornersFacts, GrowsWhenFewCornersAreShared)
   }
   const SampleTree<3, double> made(sample);
   const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());
-  std::vector<long> connectivity(8 * nodes.GetSize());
+  std::vector<int> connectivity(8 * nodes.GetSize());
   const NodeCorners<3> corners(nodes, connectivity.data(), Execution());
   EXPECT_GT(corners.GetNumberOfCorners(), 4 * nodes.GetSize());
 }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Cxx_Sanitized_h
+#define Testing_Cxx_Sanitized_h
+
+/** Whether the tests run under a sanitizer, many times slower: then large ones take fewer points,
+ * or are skipped, and times do not count. */
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool Sanitized = true;
+#else
+constexpr bool Sanitized = false;
+#endif
+
+#endif

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHashedOctreeFilter.h"
+
+#include "ExpectOctree.h"
+#include "PointSamples.h"
+#include "SameOutputs.h"
+
+#include <sstream>
+
+// The class itself: its properties, and when it runs. What it computes is tested by topic in
+// TestHashedOctreeFilter<Topic>.cxx.
+
+TEST(TestHashedOctreeFilter, HasTheDocumentedDefaults)
+{
+  vtkNew<vtkHashedOctreeFilter> filter;
+  EXPECT_EQ(filter->GetMaxPointsPerLeaf(), 1);
+  EXPECT_EQ(filter->GetMaxDepth(), 21);
+  EXPECT_EQ(filter->GetFrequencyModel(), vtkHashedOctreeFilter::Leaves);
+  EXPECT_EQ(filter->GetStartDepthModel(), vtkHashedOctreeFilter::Median);
+  EXPECT_EQ(filter->GetFixedStartDepth(), 0);
+  EXPECT_EQ(filter->GetOutputType(), vtkHashedOctreeFilter::Voxels);
+  EXPECT_FALSE(filter->GetIncludeEmptyLeaves());
+  EXPECT_FALSE(filter->GetIncludeInternalNodes());
+  EXPECT_FALSE(filter->GetUseCustomBounds());
+  const std::vector<double> bounds(filter->GetCustomBounds(), filter->GetCustomBounds() + 6);
+  EXPECT_EQ(bounds, std::vector<double>({ 0, 1, 0, 1, 0, 1 }));
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 1);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 3);
+}
+
+TEST(TestHashedOctreeFilter, ClampsValuesThatAreOutOfRange)
+{
+  vtkNew<vtkHashedOctreeFilter> filter;
+  const auto clamped = [&filter](void (vtkHashedOctreeFilter::*set)(int),
+                         int (vtkHashedOctreeFilter::*get)(), int value)
+  {
+    (filter->*set)(value);
+    return (filter->*get)();
+  };
+  using F = vtkHashedOctreeFilter;
+  EXPECT_EQ(clamped(&F::SetMaxPointsPerLeaf, &F::GetMaxPointsPerLeaf, 0), 1);
+  EXPECT_EQ(clamped(&F::SetMaxPointsPerLeaf, &F::GetMaxPointsPerLeaf, VTK_INT_MIN), 1);
+  EXPECT_EQ(clamped(&F::SetMaxPointsPerLeaf, &F::GetMaxPointsPerLeaf, VTK_INT_MAX), VTK_INT_MAX);
+  EXPECT_EQ(clamped(&F::SetMaxDepth, &F::GetMaxDepth, -1), 0);
+  EXPECT_EQ(clamped(&F::SetMaxDepth, &F::GetMaxDepth, 22), 21);
+  EXPECT_EQ(clamped(&F::SetFrequencyModel, &F::GetFrequencyModel, -1), F::Leaves);
+  EXPECT_EQ(clamped(&F::SetFrequencyModel, &F::GetFrequencyModel, 3), F::Grid);
+  EXPECT_EQ(clamped(&F::SetStartDepthModel, &F::GetStartDepthModel, -1), F::Median);
+  EXPECT_EQ(clamped(&F::SetStartDepthModel, &F::GetStartDepthModel, 4), F::Fixed);
+  EXPECT_EQ(clamped(&F::SetFixedStartDepth, &F::GetFixedStartDepth, -1), 0);
+  EXPECT_EQ(clamped(&F::SetFixedStartDepth, &F::GetFixedStartDepth, 22), 21);
+  EXPECT_EQ(clamped(&F::SetOutputType, &F::GetOutputType, -1), F::Voxels);
+  EXPECT_EQ(clamped(&F::SetOutputType, &F::GetOutputType, 2), F::Outlines);
+}
+
+TEST(TestHashedOctreeFilter, PrintsEveryProperty)
+{
+  vtkNew<vtkHashedOctreeFilter> filter;
+  filter->SetMaxPointsPerLeaf(11);
+  filter->SetMaxDepth(12);
+  filter->SetFrequencyModel(vtkHashedOctreeFilter::Grid);
+  filter->SetStartDepthModel(vtkHashedOctreeFilter::Fixed);
+  filter->SetFixedStartDepth(13);
+  filter->SetOutputType(vtkHashedOctreeFilter::Outlines);
+  filter->IncludeEmptyLeavesOn();
+  filter->SetCustomBounds(14, 15, 16, 17, 18, 19);
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* line : { "MaxPointsPerLeaf: 11", "MaxDepth: 12", "FrequencyModel: 2",
+         "StartDepthModel: 3", "FixedStartDepth: 13", "OutputType: 1", "IncludeEmptyLeaves: 1",
+         "IncludeInternalNodes: 0", "UseCustomBounds: 0", "CustomBounds: 14, 15, 16, 17, 18, 19" })
+  {
+    EXPECT_NE(text.str().find(line), std::string::npos) << line << " is not in\n" << text.str();
+  }
+}
+
+TEST(TestHashedOctreeFilter, MakesInstancesOfItself)
+{
+  vtkNew<vtkHashedOctreeFilter> filter;
+  filter->SetMaxDepth(3);
+  const auto instance = vtk::TakeSmartPointer(filter->NewInstance());
+  EXPECT_STREQ(instance->GetClassName(), "vtkHashedOctreeFilter");
+  EXPECT_TRUE(instance->IsA("vtkDataObjectAlgorithm"));
+  EXPECT_EQ(instance->GetMaxDepth(), 21);
+}
+
+TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
+{
+  const std::vector<double> points = MakeUniformPoints<3, double>(100, 1);
+  TestedFilter filter(points);
+  filter.Update();
+  EXPECT_EQ(filter.Executions, 1);
+  for (int port = 0; port < 3; ++port)
+  {
+    filter->Update(port);
+  }
+  filter->SetMaxDepth(filter->GetMaxDepth());
+  filter->SetMaxDepth(99); // Clamped to what it is.
+  filter.Update();
+  EXPECT_EQ(filter.Executions, 1);
+
+  int executions = 1;
+  const auto expectRun = [&]
+  {
+    filter.Update();
+    EXPECT_EQ(filter.Executions, ++executions);
+  };
+  filter->SetMaxPointsPerLeaf(2);
+  expectRun();
+  filter->SetMaxDepth(3);
+  expectRun();
+  filter->SetFrequencyModel(vtkHashedOctreeFilter::Grid);
+  expectRun();
+  filter->SetStartDepthModel(vtkHashedOctreeFilter::Fixed);
+  expectRun();
+  filter->SetFixedStartDepth(2);
+  expectRun();
+  filter->SetOutputType(vtkHashedOctreeFilter::Outlines);
+  expectRun();
+  filter->IncludeEmptyLeavesOn();
+  expectRun();
+  filter->IncludeInternalNodesOn();
+  expectRun();
+  ExpectOctree(filter, ExpectedOctree(points, 2, 3));
+  filter->UseCustomBoundsOn();
+  expectRun();
+  filter->SetCustomBounds(0, 2, 0, 2, 0, 2);
+  expectRun();
+  ExpectOctree(filter, ExpectedOctree(points, { 0, 2, 0, 2, 0, 2 }, 2, 3));
+}
+
+TEST(TestHashedOctreeFilter, LeavesItsInputAlone)
+{
+  const auto input = MakePolyData(MakeUniformPoints<3, double>(100, 2));
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(input);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.Update();
+  ExpectSameArray(input->GetPoints()->GetData(), copy->GetPoints()->GetData(), "points");
+  EXPECT_EQ(input->GetNumberOfCells(), 0);
+}

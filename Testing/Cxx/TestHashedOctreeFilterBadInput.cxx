@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExpectOctree.h"
+#include "PointSamples.h"
+
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <limits>
+
+namespace
+{
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/** After an error the same filter must do its work as if nothing had happened. */
+void ExpectToWorkAgain(TestedFilter& filter)
+{
+  const std::vector<double> coordinates = MakeUniformPoints<3, double>(50, 40);
+  filter->SetInputData(MakePolyData(coordinates));
+  filter->UseCustomBoundsOff();
+  UpdateAndExpectOctree(filter, coordinates);
+  EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+}
+
+void ExpectWarning(TestedFilter& filter, const std::string& words)
+{
+  ASSERT_EQ(filter.Warnings.size(), 1U);
+  EXPECT_NE(filter.Warnings[0].find(words), std::string::npos) << filter.Warnings[0];
+  filter.Warnings.clear();
+}
+}
+
+TEST(TestHashedOctreeFilterBadInput, NoPointsAreAnError)
+{
+  for (const int outputType : { vtkHashedOctreeFilter::Voxels, vtkHashedOctreeFilter::Outlines })
+  {
+    TestedFilter filter(std::vector<double>{});
+    filter->SetOutputType(outputType);
+    filter.UpdateInError("no points");
+    ExpectToWorkAgain(filter);
+    filter->SetInputData(vtkSmartPointer<vtkPolyData>::New()); // Not even an array of points.
+    filter.UpdateInError("no points");
+    ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeFilterBadInput, NothingOfAnEarlierRunIsLeftAfterAnError)
+{
+  TestedFilter filter(MakeUniformPoints<3, double>(50, 41));
+  filter.Update();
+  ASSERT_GT(filter.GetCells()->GetNumberOfCells(), 0);
+  filter->SetInputData(MakePolyData({}));
+  filter.UpdateInError("no points");
+}
+
+TEST(TestHashedOctreeFilterBadInput, NoFinitePointIsAnError)
+{
+  TestedFilter filter({ NotANumber, 0, 0, 0, Infinity, 0, 0, 0, -Infinity });
+  filter->Update();
+  ExpectWarning(filter, "3 of 3 points");
+  EXPECT_EQ(filter.Errors.size(), 1U);
+  EXPECT_NE(filter.Errors.at(0).find("finite"), std::string::npos) << filter.Errors[0];
+  filter.ExpectEmptyOutputs();
+  filter.Errors.clear();
+  filter.PipelineErrors.clear();
+  ExpectToWorkAgain(filter);
+}
+
+TEST(TestHashedOctreeFilterBadInput, AnEmptyPieceIsNoError)
+{
+  TestedFilter filter(std::vector<double>{});
+  filter->UpdatePiece(1, 4, 0);
+  EXPECT_EQ(filter.Errors, std::vector<std::string>());
+  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+  filter.ExpectEmptyOutputs();
+}
+
+TEST(TestHashedOctreeFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarning)
+{
+  const std::vector<double> good = MakeUniformPoints<3, double>(500, 42);
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+  {
+    std::vector<double> finite;
+    std::vector<double> all;
+    const double bad[] = { NotANumber, Infinity, -Infinity };
+    for (std::size_t i = 0; i < good.size(); ++i)
+    {
+      const double x =
+        type == VTK_FLOAT ? static_cast<double>(static_cast<float>(good[i])) : good[i];
+      finite.push_back(x);
+      all.push_back(x);
+      if (i % 60 == 59) // After 20 good points, one that has a bad coordinate.
+      {
+        all.insert(all.end(), { 0.5, 0.5, 0.5 });
+        all[all.size() - 1 - i / 60 % 3] = bad[i / 180 % 3];
+      }
+    }
+    TestedFilter filter;
+    filter->SetInputData(MakePolyData(all, type));
+    filter.Update();
+    ExpectWarning(filter, "25 of 525 points");
+    EXPECT_EQ(filter.GetFieldValue("SkippedPoints"), 25);
+    EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 0);
+    ExpectOctree(filter, ExpectedOctree(finite));
+    ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeFilterBadInput, CustomBoundsThatCannotBeAreAnError)
+{
+  const std::array<double, 6> boxes[] = { { 1, 0, 0, 1, 0, 1 }, { 0, 1, 1, 0, 0, 1 },
+    { 0, 1, 0, 1, 1, 0 }, { NotANumber, 1, 0, 1, 0, 1 }, { 0, 1, 0, NotANumber, 0, 1 },
+    { 0, 1, 0, 1, -Infinity, 1 }, { 0, 1, 0, 1, 0, Infinity } };
+  for (const auto& box : boxes)
+  {
+    TestedFilter filter(MakeUniformPoints<3, double>(50, 43));
+    filter->UseCustomBoundsOn();
+    filter->SetCustomBounds(box.data());
+    filter.UpdateInError("bounds");
+    ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeFilterBadInput, CustomBoundsWithoutPointsAreAnError)
+{
+  TestedFilter filter(MakeUniformPoints<3, double>(50, 44));
+  filter->UseCustomBoundsOn();
+  filter->SetCustomBounds(2, 3, 2, 3, 2, 3);
+  filter.UpdateInError("CustomBounds");
+  ExpectToWorkAgain(filter);
+}
+
+TEST(TestHashedOctreeFilterBadInput, OnePointIsOneLeaf)
+{
+  const std::vector<double> coordinates{ -4, 5, 6 };
+  TestedFilter filter(coordinates);
+  UpdateAndExpectOctree(filter, coordinates);
+  EXPECT_EQ(filter.GetCells()->GetNumberOfCells(), 1);
+  const std::vector<double> bounds(
+    filter.GetCells()->GetBounds(), filter.GetCells()->GetBounds() + 6);
+  EXPECT_EQ(bounds, std::vector<double>({ -4, -3, 5, 6, 6, 7 }));
+}
+
+TEST(TestHashedOctreeFilterBadInput, EqualPointsShareOneLeaf)
+{
+  std::vector<double> coordinates;
+  for (int i = 0; i < 1000; ++i)
+  {
+    coordinates.insert(coordinates.end(), { 7, -8, 9 });
+  }
+  TestedFilter filter(coordinates);
+  for (const int bucket : { 1, 999, 1000 })
+  {
+    filter->SetMaxPointsPerLeaf(bucket);
+    UpdateAndExpectOctree(filter, coordinates);
+    EXPECT_EQ(filter.GetCells()->GetNumberOfCells(), 1);
+    EXPECT_EQ(filter.GetFieldValue("DeepestDepth"), bucket < 1000 ? 21 : 0);
+  }
+}
+
+TEST(TestHashedOctreeFilterBadInput, OddPlacesHaveTheirPlainOctree)
+{
+  const double least = std::numeric_limits<double>::denorm_min();
+  const double large = std::numeric_limits<double>::max() / 4;
+  std::vector<double> huge = MakeUniformPoints<3, double>(200, 45, -1e300, 1e300);
+  std::vector<double> tiny = MakeUniformPoints<3, double>(200, 46, 0.0, 1e-310);
+  std::vector<double> far = MakeUniformPoints<3, double>(200, 47, 1e6, 1e6 + 1e-9);
+  std::vector<double> upperFaces;
+  for (const double x : { 0.0, 1.0, 2.0, 3.0 })
+  {
+    for (const double y : { 0.0, 1.0, 2.0, 3.0 })
+    {
+      upperFaces.insert(upperFaces.end(), { x, y, 3.0, x, 3.0, y, 3.0, x, y, x, y, 1.0 });
+    }
+  }
+  const PointSample<3, double> samples[] = { { "huge", huge }, { "denormal extent", tiny },
+    { "box 1e-9 wide at 1e6", far }, { "points on all faces", upperFaces },
+    { "the smallest extent", { 0, 0, 0, 0, 0, least, 0, least, 0 } },
+    { "the largest extent", { -large, 0, 0, large, 1, 1, 1, large, -large } },
+    { "the next double", { 1, 1, 1, std::nextafter(1.0, 2.0), 1, 1 } },
+    { "far apart", { 0, 0, 0, 1e-300, 0, 0, 1e300, 0, 0 } } };
+  for (const auto& sample : samples)
+  {
+    SCOPED_TRACE(sample.Name);
+    TestedFilter filter(sample.Coordinates);
+    for (const bool all : { false, true })
+    {
+      filter->SetIncludeEmptyLeaves(all);
+      filter->SetIncludeInternalNodes(all);
+      UpdateAndExpectOctree(filter, sample.Coordinates);
+      EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+    }
+  }
+}
+
+TEST(TestHashedOctreeFilterBadInput, CoordinatesWithoutAFiniteExtentAreSkipped)
+{
+  const double most = std::numeric_limits<double>::max();
+  TestedFilter filter({ -most, 0, 0, most, 0, 0, 1, 2, 3, 4, 5, 6 });
+  filter.Update();
+  ExpectWarning(filter, "2 of 4 points");
+  ExpectOctree(filter, ExpectedOctree({ 1, 2, 3, 4, 5, 6 }));
+}

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "SameOutputs.h"
+#include "TestedFilter.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+namespace
+{
+vtkSmartPointer<vtkPolyData> MakeBlock(unsigned seed)
+{
+  return MakePolyData(MakeUniformPoints<3, double>(100, seed));
+}
+
+/** What the filter makes of a block by itself. */
+std::vector<vtkSmartPointer<vtkDataObject>> MakeOutputsOf(vtkDataObject* block)
+{
+  TestedFilter filter;
+  filter->SetInputData(block);
+  return TakeOutputs(filter.GetFilter());
+}
+
+void UpdateWithoutErrors(TestedFilter& filter)
+{
+  filter->Update();
+  EXPECT_EQ(filter.Errors, std::vector<std::string>());
+  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+}
+
+template <typename Composite>
+Composite* GetOutput(TestedFilter& filter, int port)
+{
+  return Composite::SafeDownCast(filter->GetOutputDataObject(port));
+}
+}
+
+TEST(TestHashedOctreeFilterComposite, EachBlockOfAMultiBlockHasItsTree)
+{
+  const auto first = MakeBlock(50);
+  const auto second = MakeBlock(51);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  vtkNew<vtkMultiBlockDataSet> inner;
+  inner->SetBlock(0, MakePolyData({}));
+  inner->SetBlock(1, second);
+  vtkNew<vtkMultiBlockDataSet> input;
+  input->SetBlock(0, first);
+  input->SetBlock(1, nullptr);
+  input->SetBlock(2, image);
+  input->SetBlock(3, inner);
+  input->GetMetaData(3u)->Set(vtkCompositeDataSet::NAME(), "inner");
+
+  TestedFilter filter;
+  filter->SetInputData(input);
+  UpdateWithoutErrors(filter);
+  const auto outputsOfFirst = MakeOutputsOf(first);
+  const auto outputsOfSecond = MakeOutputsOf(second);
+  for (int port = 0; port < 3; ++port)
+  {
+    SCOPED_TRACE(port);
+    auto* output = GetOutput<vtkMultiBlockDataSet>(filter, port);
+    ASSERT_NE(output, nullptr);
+    ASSERT_EQ(output->GetNumberOfBlocks(), 4U);
+    ExpectSame(output->GetBlock(0), outputsOfFirst[static_cast<std::size_t>(port)]);
+    EXPECT_EQ(output->GetBlock(1), nullptr);
+    EXPECT_EQ(output->GetBlock(2), nullptr) << "an image has no points of its own";
+    EXPECT_STREQ(output->GetMetaData(3u)->Get(vtkCompositeDataSet::NAME()), "inner");
+    auto* innerOutput = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(3));
+    ASSERT_NE(innerOutput, nullptr);
+    ASSERT_EQ(innerOutput->GetNumberOfBlocks(), 2U);
+    EXPECT_EQ(innerOutput->GetBlock(0), nullptr);
+    ExpectSame(innerOutput->GetBlock(1), outputsOfSecond[static_cast<std::size_t>(port)]);
+  }
+}
+
+TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)
+{
+  const auto first = MakeBlock(52);
+  const auto second = MakeBlock(53);
+  vtkNew<vtkPartitionedDataSet> input;
+  input->SetPartition(0, first);
+  input->SetPartition(1, second);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  UpdateWithoutErrors(filter);
+  const auto outputsOfSecond = MakeOutputsOf(second);
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* output = GetOutput<vtkPartitionedDataSet>(filter, port);
+    ASSERT_NE(output, nullptr);
+    ASSERT_EQ(output->GetNumberOfPartitions(), 2U);
+    EXPECT_NE(output->GetPartitionAsDataObject(0), nullptr);
+    ExpectSame(
+      output->GetPartitionAsDataObject(1), outputsOfSecond[static_cast<std::size_t>(port)]);
+  }
+}
+
+TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
+{
+  const auto block = MakeBlock(54);
+  vtkNew<vtkPartitionedDataSetCollection> input;
+  input->SetPartition(0, 0, MakePolyData({}));
+  input->SetPartition(2, 1, block);
+  TestedFilter filter;
+  filter->SetOutputType(vtkHashedOctreeFilter::Voxels);
+  filter->SetInputData(input);
+  UpdateWithoutErrors(filter);
+  const auto outputs = MakeOutputsOf(block);
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* output = GetOutput<vtkPartitionedDataSetCollection>(filter, port);
+    ASSERT_NE(output, nullptr);
+    ASSERT_EQ(output->GetNumberOfPartitionedDataSets(), 3U);
+    EXPECT_EQ(output->GetPartitionAsDataObject(0, 0), nullptr);
+    ExpectSame(output->GetPartitionAsDataObject(2, 1), outputs[static_cast<std::size_t>(port)]);
+  }
+}
+
+TEST(TestHashedOctreeFilterComposite, OutputsFollowTheKindOfTheInput)
+{
+  const auto block = MakeBlock(55);
+  vtkNew<vtkMultiBlockDataSet> composite;
+  composite->SetBlock(0, block);
+  TestedFilter filter;
+  for (int round = 0; round < 2; ++round)
+  {
+    filter->SetInputData(block);
+    filter.Update();
+    ExpectSameOutputs(TakeOutputs(filter.GetFilter()), MakeOutputsOf(block));
+    filter->SetInputData(composite);
+    UpdateWithoutErrors(filter);
+    EXPECT_NE(GetOutput<vtkMultiBlockDataSet>(filter, 1), nullptr);
+  }
+}
+
+TEST(TestHashedOctreeFilterComposite, WarnsOnceForAllBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> input;
+  for (unsigned i = 0; i < 3; ++i)
+  {
+    input->SetBlock(i, MakePolyData({ NAN, 0, 0, 1, 2, 3 }));
+  }
+  TestedFilter filter;
+  filter->SetInputData(input);
+  UpdateWithoutErrors(filter);
+  ASSERT_EQ(filter.Warnings.size(), 1U);
+  EXPECT_NE(filter.Warnings[0].find("3 of 6 points"), std::string::npos) << filter.Warnings[0];
+}
+
+TEST(TestHashedOctreeFilterComposite, NoPointsInAnyBlockAreAnError)
+{
+  vtkNew<vtkMultiBlockDataSet> good;
+  good->SetBlock(1, MakeBlock(56));
+  vtkNew<vtkMultiBlockDataSet> bad;
+  bad->SetBlock(0, MakePolyData({}));
+  bad->SetBlock(1, nullptr);
+  bad->SetBlock(2, vtkSmartPointer<vtkImageData>::New());
+  TestedFilter filter;
+  filter->SetInputData(good);
+  UpdateWithoutErrors(filter);
+  filter->SetInputData(bad);
+  filter->Update();
+  ASSERT_EQ(filter.Errors.size(), 1U);
+  EXPECT_NE(filter.Errors[0].find("no points"), std::string::npos) << filter.Errors[0];
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* output = GetOutput<vtkMultiBlockDataSet>(filter, port);
+    ASSERT_NE(output, nullptr);
+    EXPECT_EQ(output->GetNumberOfBlocks(), 0U);
+  }
+  filter.Errors.clear();
+  filter.PipelineErrors.clear();
+  filter->SetInputData(good);
+  UpdateWithoutErrors(filter);
+  EXPECT_NE(GetOutput<vtkMultiBlockDataSet>(filter, 0)->GetBlock(1), nullptr);
+}

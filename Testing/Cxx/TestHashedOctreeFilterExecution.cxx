@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "SameOutputs.h"
+#include "Sanitized.h"
+#include "TestedFilter.h"
+
+#include "vtkFloatArray.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <future>
+#include <iostream>
+#include <thread>
+
+namespace
+{
+constexpr std::size_t ManyPoints = Sanitized ? 100000 : 10000000;
+
+/** Runs a function with the threads of a backend. */
+void WithThreads(const char* backend, int threads, const std::function<void()>& function)
+{
+  SCOPED_TRACE(std::string(backend) + ", " + std::to_string(threads) + " threads");
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, backend, false }, function);
+}
+
+/** Uniform points as floats, in the array that the filter reads. */
+vtkSmartPointer<vtkPolyData> MakeManyPoints(std::size_t count, unsigned seed)
+{
+  const std::vector<float> coordinates = MakeUniformPoints<3, float>(count, seed);
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  std::copy(coordinates.begin(), coordinates.end(), array->GetPointer(0));
+  auto data = MakePolyData({});
+  data->GetPoints()->SetData(array);
+  return data;
+}
+
+/** Processor time of all threads so far, in milliseconds: unlike the time of day, it does not grow
+ * while other tests have the processors. */
+double GetMilliseconds()
+{
+  return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/** The contract, for ten million points. */
+constexpr double MaxMillisecondsToStop = 100.0;
+
+/** Watches the progress of an algorithm, and calls stop() once when it reaches `fraction`. */
+class ProgressWatch
+{
+public:
+  /** The longest time between two reports of progress, which is also that between two looks at the
+   * abort flag, and where it was. */
+  double LongestWait = 0.0;
+  double ProgressOfLongestWait = 0.0;
+  /** When stop() might have been called to wait the longest: right after the look before. */
+  double EarliestStop = 0.0;
+
+  ProgressWatch(vtkAlgorithm* algorithm, double fraction, std::function<void()> stop)
+    : Algorithm(algorithm)
+    , Fraction(fraction)
+    , Stop(std::move(stop))
+    , Observer(algorithm->AddObserver(vtkCommand::ProgressEvent, this, &ProgressWatch::Look))
+    , LastLook(GetMilliseconds())
+  {
+  }
+  ~ProgressWatch() { this->Algorithm->RemoveObserver(this->Observer); }
+  ProgressWatch(const ProgressWatch&) = delete;
+  void operator=(const ProgressWatch&) = delete;
+
+private:
+  void Look(vtkObject*, unsigned long, void* data)
+  {
+    const double progress = *static_cast<const double*>(data);
+    const double wait = GetMilliseconds() - this->LastLook;
+    if (wait > this->LongestWait)
+    {
+      this->LongestWait = wait;
+      this->ProgressOfLongestWait = progress;
+    }
+    if (progress >= this->Fraction && this->Stop)
+    {
+      this->EarliestStop = this->LastLook;
+      this->Stop();
+      this->Stop = nullptr;
+    }
+    this->LastLook = GetMilliseconds();
+  }
+
+  vtkAlgorithm* Algorithm;
+  double Fraction;
+  std::function<void()> Stop;
+  unsigned long Observer;
+  double LastLook;
+};
+}
+
+TEST(TestHashedOctreeFilterExecution, ProgressMovesThroughTheWholeRun)
+{
+  TestedFilter filter;
+  filter->SetInputData(MakeManyPoints(Sanitized ? 150000 : 500000, 60));
+  for (const int outputType : { vtkHashedOctreeFilter::Voxels, vtkHashedOctreeFilter::Outlines })
+  {
+    filter->SetOutputType(outputType);
+    filter.Progress.clear();
+    filter.Update();
+    EXPECT_TRUE(std::is_sorted(filter.Progress.begin(), filter.Progress.end()));
+    EXPECT_EQ(filter.Progress.front(), 0.0);
+    EXPECT_EQ(filter.Progress.back(), 1.0);
+    filter.Progress.erase(
+      std::unique(filter.Progress.begin(), filter.Progress.end()), filter.Progress.end());
+    EXPECT_GT(filter.Progress.size(), 25U);
+    for (std::size_t i = 1; i < filter.Progress.size(); ++i)
+    {
+      EXPECT_LE(filter.Progress[i] - filter.Progress[i - 1], 0.2) << filter.Progress[i];
+    }
+  }
+}
+
+TEST(TestHashedOctreeFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUpdateSucceeds)
+{
+  const auto points = MakeManyPoints(20000, 61);
+  TestedFilter untroubled;
+  untroubled->SetInputData(points);
+  const auto outputs = TakeOutputs(untroubled.GetFilter());
+  TestedFilter filter;
+  filter->SetInputData(points);
+  for (const double fraction : { 0.0, 0.01, 0.1, 0.25, 0.5, 0.65, 0.8, 0.95 })
+  {
+    for (const int outputType : { vtkHashedOctreeFilter::Voxels, vtkHashedOctreeFilter::Outlines })
+    {
+      SCOPED_TRACE("from " + std::to_string(fraction) + " on");
+      filter->SetOutputType(outputType);
+      filter->Modified();
+      filter.Progress.clear();
+      {
+        const ProgressWatch watch(
+          filter.GetFilter(), fraction, [&filter] { filter->SetAbortExecute(1); });
+        filter.Update();
+      }
+      EXPECT_TRUE(filter->GetAbortExecute());
+      // It ends at the next report, beside what the executive itself reports at both ends.
+      EXPECT_LE(std::count_if(filter.Progress.begin(), filter.Progress.end(),
+                  [fraction](double progress) { return progress >= fraction; }),
+        3);
+      filter.ExpectEmptyOutputs();
+      filter->SetAbortExecute(0);
+    }
+    filter->SetOutputType(vtkHashedOctreeFilter::Voxels);
+    ExpectSameOutputs(TakeOutputs(filter.GetFilter()), outputs);
+  }
+  EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+}
+
+TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
+{
+  // One thread has the longest way from one look at the abort flag to the next. The abort at the
+  // end adds the time that it takes to free what was made until then.
+  TestedFilter filter;
+  filter->SetInputData(MakeManyPoints(ManyPoints, 62));
+  WithThreads("Sequential", 1,
+    [&filter]
+    {
+      const ProgressWatch watch(
+        filter.GetFilter(), 0.95, [&filter] { filter->SetAbortExecute(1); });
+      filter->Update();
+      const double stopped = GetMilliseconds() - watch.EarliestStop;
+      std::cout << "longest wait " << watch.LongestWait << " ms, up to progress "
+                << watch.ProgressOfLongestWait << "; stopped after " << stopped << " ms\n";
+      if (!Sanitized)
+      {
+        EXPECT_LE(watch.LongestWait, MaxMillisecondsToStop);
+        EXPECT_LE(stopped, MaxMillisecondsToStop);
+      }
+      filter.ExpectEmptyOutputs();
+    });
+}
+
+TEST(TestHashedOctreeFilterExecution, AnotherThreadStopsIt)
+{
+  constexpr int threads = 2;
+  TestedFilter filter;
+  filter->SetInputData(MakeManyPoints(ManyPoints, 63));
+  for (const double fraction : { 0.0, 0.04, 0.1, 0.2, 0.28 })
+  {
+    WithThreads("STDThread", threads,
+      [&filter, fraction]
+      {
+        std::promise<void> reached;
+        double asked = 0.0;
+        std::thread other(
+          [&]
+          {
+            reached.get_future().wait();
+            std::this_thread::sleep_for(std::chrono::milliseconds(5)); // Into the work.
+            asked = GetMilliseconds();
+            filter->SetAbortExecute(1);
+          });
+        const ProgressWatch watch(
+          filter.GetFilter(), fraction, [&reached] { reached.set_value(); });
+        filter->Update();
+        other.join();
+        const double stopped = GetMilliseconds() - asked;
+        std::cout << "stopped after " << stopped << " ms from progress " << fraction << " on\n";
+        if (!Sanitized)
+        {
+          EXPECT_LE(stopped, threads * MaxMillisecondsToStop);
+        }
+        filter.ExpectEmptyOutputs();
+        filter->SetAbortExecute(0);
+      });
+  }
+}
+
+TEST(TestHashedOctreeFilterExecution, AnyNumberOfThreadsGivesTheSame)
+{
+  TestedFilter filter;
+  filter->SetInputData(MakeManyPoints(50000, 64));
+  filter->IncludeEmptyLeavesOn();
+  filter->IncludeInternalNodesOn();
+  std::vector<vtkSmartPointer<vtkDataObject>> outputs;
+  WithThreads("Sequential", 1, [&] { outputs = TakeOutputs(filter.GetFilter()); });
+  for (const int threads : { 1, 2, 8 }) // VTK takes no more than the machine has.
+  {
+    WithThreads("STDThread", threads,
+      [&]
+      {
+        filter->Modified();
+        ExpectSameOutputs(TakeOutputs(filter.GetFilter()), outputs);
+      });
+  }
+}

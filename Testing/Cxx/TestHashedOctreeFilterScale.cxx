@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "Sanitized.h"
+#include "TestedFilter.h"
+
+// The sizes of the paper's Table 1. Points are random, so numbers of nodes are known to about one
+// part in a thousand.
+
+namespace
+{
+/** Bytes of the tree for each of its nodes, as the paper counts them. */
+double GetBytesPerNode(TestedFilter& filter)
+{
+  return filter.GetFieldValue("TreeBytes") / filter.GetFieldValue("NumberOfNodes");
+}
+
+/** Large trees run the same code as small ones, so sanitizers need not see them. */
+class TestHashedOctreeFilterPaper : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (Sanitized)
+    {
+      GTEST_SKIP() << "too slow under a sanitizer";
+    }
+  }
+};
+}
+
+TEST_F(TestHashedOctreeFilterPaper, HalfAMillionPointsOnASphere)
+{
+  TestedFilter filter(MakeSpherePoints<3, double>(500000, 77));
+  filter.Update();
+  EXPECT_NEAR(filter.GetFieldValue("NumberOfNodes"), 2.88e6, 0.02e6);
+  // The closest pair of points tells how deep the tree is.
+  EXPECT_GE(filter.GetFieldValue("DeepestDepth"), 18);
+  EXPECT_LE(filter.GetFieldValue("DeepestDepth"), 19);
+  EXPECT_EQ(filter.GetFieldValue("StartDepth"), 9);
+  EXPECT_LE(GetBytesPerNode(filter), 12.0);
+}
+
+TEST_F(TestHashedOctreeFilterPaper, FourMillionPointsInACube)
+{
+  TestedFilter filter(MakeUniformPoints<3, double>(4000000, 71));
+  filter.Update();
+  EXPECT_NEAR(filter.GetFieldValue("NumberOfNodes"), 15.7e6, 0.1e6);
+  EXPECT_EQ(filter.GetFieldValue("StartDepth"), 8);
+  EXPECT_LE(GetBytesPerNode(filter), 12.0);
+}
+
+TEST(TestHashedOctreeFilterScale, TreesHaveAtMostTwelveBytesPerNode)
+{
+  std::vector<double> line = MakeUniformPoints<3, double>(20000, 72);
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    line[i] = line[i / 3 * 3];
+  }
+  const std::vector<double> samples[] = { line, MakeClusteredPoints<3, double>(2000, 73),
+    MakeUniformPoints<3, double>(300, 74), MakeUniformPoints<3, double>(70000, 75),
+    MakeSpherePoints<3, double>(30000, 76) };
+  for (const std::vector<double>& coordinates : samples)
+  {
+    for (const int bucket : { 1, 2, 16 })
+    {
+      TestedFilter filter(coordinates);
+      filter->SetMaxPointsPerLeaf(bucket);
+      filter.Update();
+      if (filter.GetFieldValue("NumberOfNodes") >= 1000)
+      {
+        EXPECT_LE(GetBytesPerNode(filter), 12.0)
+          << coordinates.size() / 3 << " points, " << bucket << " per leaf";
+      }
+    }
+  }
+}

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Octree cells as ParaView shows them by default: leaves as boxes, coloured by depth."""
+import sys
+
+import octreetesting  # loads the plugin
+from paraview import simple, smtesting
+
+smtesting.ProcessCommandLineArguments()
+view = simple.CreateView("RenderView")
+view.ViewSize = [300, 300]
+view.OrientationAxesVisibility = 0
+view.UseColorPaletteForBackground = 0
+view.Background = [1.0, 1.0, 1.0]
+
+sphere = simple.Sphere(ThetaResolution=32, PhiResolution=32)
+octree = simple.HashedOctree(Input=sphere)
+shown = simple.Show(octree, view)
+assert shown.Representation == "Surface", shown.Representation
+assert list(shown.ColorArrayName) == ["CELLS", "Depth"], shown.ColorArrayName
+
+simple.ResetCamera(view)
+view.CameraPosition = [2.0, 1.5, 1.8]
+view.CameraFocalPoint = [0.0, 0.0, 0.0]
+view.CameraViewUp = [0.0, 0.0, 1.0]
+simple.Render(view)
+if not smtesting.DoRegressionTesting(view.SMProxy):
+    sys.exit("The picture differs from the baseline.")

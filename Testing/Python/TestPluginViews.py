@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ParaView opens for each output by itself: cells, a bar chart, a line chart."""
+import sys
+
+import octreetesting  # loads the plugin
+from paraview import servermanager, simple, smtesting
+
+smtesting.ProcessCommandLineArguments()
+octree = simple.HashedOctree(Input=simple.Sphere(ThetaResolution=64, PhiResolution=64))
+octree.UpdatePipeline()
+controller = servermanager.ParaViewPipelineController()
+
+
+def show(port):
+    """The view that ParaView prefers for a port, with the port shown in it."""
+    view = servermanager._getPyProxy(
+        controller.ShowInPreferredView(octree.SMProxy, port, None))
+    view.ViewSize = [400, 300]
+    simple.Render(view)
+    return view, view.Representations[0]
+
+
+view, shown = show(0)
+assert view.GetXMLName() == "RenderView", view.GetXMLName()
+assert list(shown.ColorArrayName) == ["CELLS", "Depth"], shown.ColorArrayName
+
+view, shown = show(2)
+assert view.GetXMLName() == "HashedOctreeCostCurvesView", view.GetXMLName()
+assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis
+assert list(shown.SeriesVisibility) == octreetesting.COSTS[1:], list(shown.SeriesVisibility)
+assert view.BottomAxisTitle and view.LeftAxisTitle
+
+view, shown = show(1)
+assert view.GetXMLName() == "HashedOctreeDepthHistogramView", view.GetXMLName()
+assert shown.XArrayName == "Depth" and not shown.UseIndexForXAxis
+assert "Leaves" in shown.SeriesVisibility, shown.SeriesVisibility
+assert "Depth" not in shown.SeriesVisibility, shown.SeriesVisibility
+assert view.BottomAxisTitle and view.LeftAxisTitle
+if not smtesting.DoRegressionTesting(view.SMProxy):
+    sys.exit("The picture differs from the baseline.")

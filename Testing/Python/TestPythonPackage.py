@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python package, without ParaView's shells and without the plugin."""
+import sys
+
+from hashedoctree import vtkHashedOctreeFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+assert "paraview" not in sys.modules
+sphere = vtkSphereSource()
+sphere.SetThetaResolution(32)
+sphere.SetPhiResolution(32)
+octree = vtkHashedOctreeFilter()
+octree.SetInputConnection(sphere.GetOutputPort())
+octree.SetStartDepthModel(vtkHashedOctreeFilter.Mean)
+octree.SetFrequencyModel(vtkHashedOctreeFilter.Points)
+octree.SetMaxDepth(4)
+octree.Update()
+
+cells, histogram, costs = (octree.GetOutputDataObject(port) for port in range(3))
+assert cells.GetClassName() == "vtkUnstructuredGrid", cells
+assert cells.GetCellData().GetScalars().GetName() == "Depth"
+counts = cells.GetCellData().GetArray("PointCount")
+points = sphere.GetOutput().GetNumberOfPoints()
+assert sum(counts.GetValue(i) for i in range(counts.GetNumberOfValues())) == points
+assert histogram.GetNumberOfRows() == costs.GetNumberOfRows() == 5
+assert histogram.GetColumnByName("Points").GetValue(0) == 0
+octree.SetOutputType(vtkHashedOctreeFilter.Outlines)
+octree.Update()
+assert octree.GetOutputDataObject(0).GetClassName() == "vtkPolyData"
