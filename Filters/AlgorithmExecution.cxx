@@ -17,22 +17,29 @@ bool IsAborted(vtkAlgorithm* algorithm)
   return algorithm->GetAbortExecute() != 0;
 #endif
 }
+
+void RunOnThreads(
+  std::size_t first, std::size_t last, std::size_t grain, const Execution::Body& body)
+{
+  vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
+    static_cast<vtkIdType>(grain),
+    [&body](vtkIdType from, vtkIdType to)
+    { body(static_cast<std::size_t>(from), static_cast<std::size_t>(to)); });
+}
 }
 
 Execution MakeExecution(vtkAlgorithm* algorithm)
 {
-  return Execution(
-    [](std::size_t first, std::size_t last, std::size_t grain, const Execution::Body& body)
-    {
-      vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
-        static_cast<vtkIdType>(grain),
-        [&body](vtkIdType from, vtkIdType to)
-        { body(static_cast<std::size_t>(from), static_cast<std::size_t>(to)); });
-    },
+  return Execution(RunOnThreads,
     [algorithm](double fraction)
     {
       algorithm->UpdateProgress(fraction);
       return !IsAborted(algorithm);
     });
+}
+
+Execution MakeExecution()
+{
+  return Execution(RunOnThreads);
 }
 }

@@ -11,6 +11,9 @@ namespace hashedoctree
 /** What a vtkAlgorithm lends to the core while it runs: vtkSMPTools as threads, UpdateProgress(),
  * and the abort flag. Private to the module. */
 Execution MakeExecution(vtkAlgorithm* algorithm);
+
+/** vtkSMPTools as threads, and no reports, for what no algorithm runs. */
+Execution MakeExecution();
 }
 
 #endif

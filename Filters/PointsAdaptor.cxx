@@ -3,15 +3,21 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkPointSet.h"
 #include "vtkPoints.h"
 
 namespace hashedoctree
 {
-PointsAdaptor::PointsAdaptor(vtkPoints* points, const Execution& execution)
-  : Count(static_cast<std::size_t>(points->GetNumberOfPoints()))
+PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
+  : Count(static_cast<std::size_t>(dataSet->GetNumberOfPoints()))
 {
-  constexpr std::size_t grain = 8192; // Points that a thread copies at a time.
-  vtkDataArray* data = points->GetData();
+  auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
+  if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
+  {
+    this->CopyPoints([dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, execution);
+    return;
+  }
+  vtkDataArray* data = pointSet->GetPoints()->GetData();
   if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(data))
   {
     this->Floats = floats->GetPointer(0);
@@ -22,16 +28,23 @@ PointsAdaptor::PointsAdaptor(vtkPoints* points, const Execution& execution)
   }
   else
   {
-    this->Copy = Buffer<double>(3 * this->Count);
-    execution.For(this->Count, grain,
-      [this, data](std::size_t first, std::size_t last)
-      {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          data->GetTuple(static_cast<vtkIdType>(i), &this->Copy[3 * i]);
-        }
-      });
-    this->Doubles = this->Copy.GetData();
+    this->CopyPoints([data](vtkIdType id, double* x) { data->GetTuple(id, x); }, execution);
   }
+}
+
+template <typename GetPoint>
+void PointsAdaptor::CopyPoints(const GetPoint& getPoint, const Execution& execution)
+{
+  constexpr std::size_t grain = 8192; // Points that a thread copies at a time.
+  this->Copy = Buffer<double>(3 * this->Count);
+  execution.For(this->Count, grain,
+    [this, &getPoint](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        getPoint(static_cast<vtkIdType>(i), &this->Copy[3 * i]);
+      }
+    });
+  this->Doubles = this->Copy.GetData();
 }
 }

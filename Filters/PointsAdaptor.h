@@ -5,20 +5,21 @@
 #include "Buffer.h"
 #include "PointSelection.h"
 
-class vtkPoints;
+class vtkDataSet;
 
 namespace hashedoctree
 {
 /**
- * The bridge from vtkPoints to the core's point spans. Arrays of float or double tuples are viewed
- * where they are; any other layout or type is copied to doubles. The points must outlive the
- * adaptor and not change meanwhile. Private to the module.
+ * The bridge from the points of a vtkDataSet to the core's point spans. Arrays of float or double
+ * tuples are viewed where they are; any other layout or type, and points that no array holds, are
+ * copied to doubles. The points must outlive the adaptor and not change meanwhile. Private to the
+ * module.
  */
 class PointsAdaptor
 {
 public:
   /** Throws Interrupted while it copies. */
-  PointsAdaptor(vtkPoints* points, const Execution& execution);
+  PointsAdaptor(vtkDataSet* dataSet, const Execution& execution);
 
   /** Calls function(span) with a PointSpan<3, float> or PointSpan<3, double>. */
   template <typename Function>
@@ -35,6 +36,10 @@ public:
   }
 
 private:
+  /** Calls getPoint(i, x) for each point. */
+  template <typename GetPoint>
+  void CopyPoints(const GetPoint& getPoint, const Execution& execution);
+
   const float* Floats = nullptr;
   const double* Doubles = nullptr;
   std::size_t Count = 0;

@@ -187,7 +187,7 @@ private:
     options.MaxDepth = this->Self->MaxDepth;
 
     const auto start = std::chrono::steady_clock::now();
-    const PointsAdaptor points(input->GetPoints(), execution.Part(0.0, AdaptorShare));
+    const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
     Tree tree;
     points.Visit(
       [&](auto span)

@@ -22,6 +22,7 @@ template <int Dim>
 struct FoundLeaf
 {
   MortonKey<Dim> Key;
+  std::uint32_t ParentBlock; ///< Block that describes it; no meaning for the root.
   SearchCase Case;
   /** False in the sparse reading where no leaf holds the position: Key is then the empty cell, the
    * missing child of the deepest existing node (paper E4). */
@@ -59,8 +60,9 @@ template <int Dim, typename Count>
 FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
-  const auto found = [reading](MortonKey<Dim> leaf, SearchCase searchCase, bool occupied) {
-    return FoundLeaf<Dim>{ leaf, searchCase, occupied || reading == EmptyOctants::Leaves };
+  const auto found = [reading](MortonKey<Dim> leaf, std::uint32_t block, SearchCase searchCase,
+                       bool occupied) {
+    return FoundLeaf<Dim>{ leaf, block, searchCase, occupied || reading == EmptyOctants::Leaves };
   };
 
   // Up (case 3): no node at `depth` as long as its parent has no block.
@@ -84,7 +86,7 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
     count.AddNode();
     if (!tree.IsRootInternal())
     {
-      return found(MortonKey<Dim>::Root(), startDepth == 0 ? SearchCase::Hit : SearchCase::Up,
+      return found(MortonKey<Dim>::Root(), 0, startDepth == 0 ? SearchCase::Hit : SearchCase::Up,
         tree.GetNumberOfPoints() != 0);
     }
   }
@@ -92,7 +94,8 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
   {
     if ((parent->Internal >> octant & 1U) == 0)
     {
-      return found(key.AtDepth(depth), depth == startDepth ? SearchCase::Hit : SearchCase::Up,
+      return found(key.AtDepth(depth), parent->Block,
+        depth == startDepth ? SearchCase::Hit : SearchCase::Up,
         (parent->Occupied >> octant & 1U) != 0);
     }
     block = Octree<Dim>::GetChildBlock(tree.GetBlock(parent->Block), octant);
@@ -107,7 +110,8 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
     octant = key.AtDepth(depth).GetOctant();
     if ((here.Internal >> octant & 1U) == 0)
     {
-      return found(key.AtDepth(depth), SearchCase::Down, (here.Occupied >> octant & 1U) != 0);
+      return found(
+        key.AtDepth(depth), block, SearchCase::Down, (here.Occupied >> octant & 1U) != 0);
     }
     block = Octree<Dim>::GetChildBlock(here, octant);
   }

@@ -14,7 +14,11 @@ Buffer<typename Octree<Dim>::Node> ListNodes(
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   const std::size_t numberOfChunks = (numberOfBlocks + chunkSize - 1) / chunkSize;
   const auto isListed = [options](const Node& node)
-  { return node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty(); };
+  {
+    const bool isOfDepth = options.Depth < 0 || node.NodeKey.GetDepth() == options.Depth;
+    return isOfDepth &&
+      (node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty());
+  };
   // Calls function(chunk, node) for the listed children of all blocks, a chunk on one thread.
   const auto forChildren = [&](double from, double to, const auto& function)
   {

@@ -11,6 +11,7 @@ struct NodeListOptions
 {
   bool EmptyLeaves = false;
   bool InternalNodes = false;
+  int Depth = -1; ///< Of nodes at this depth only; of all when negative.
 };
 
 /** The nodes of a tree, ordered by depth, then by key. O(nodes). Throws Interrupted. */

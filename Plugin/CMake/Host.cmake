@@ -19,7 +19,8 @@ set(HASHEDOCTREE_HAVE_PARAVIEW "${ParaView_FOUND}")
 if (HASHEDOCTREE_HOST STREQUAL "VTK" OR
     (HASHEDOCTREE_HOST STREQUAL "AUTO" AND NOT HASHEDOCTREE_HAVE_PARAVIEW))
   find_package(VTK 9.1 ${quiet}
-    COMPONENTS CommonCore CommonDataModel CommonExecutionModel FiltersSources
+    COMPONENTS CommonCore CommonDataModel CommonExecutionModel
+      FiltersGeneral FiltersPoints FiltersSources
     OPTIONAL_COMPONENTS Python WrappingPythonCore)
 endif ()
 

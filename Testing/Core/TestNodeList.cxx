@@ -26,13 +26,17 @@ TYPED_TEST(TestNodeList, ListsTheNodesAskedForInOrder)
     const SampleTree<dim, double> made(sample);
     for (const NodeListOptions options :
       { NodeListOptions{ false, false }, NodeListOptions{ true, false },
-        NodeListOptions{ false, true }, NodeListOptions{ true, true } })
+        NodeListOptions{ false, true }, NodeListOptions{ true, true },
+        NodeListOptions{ false, true, 0 }, NodeListOptions{ true, true, 2 },
+        NodeListOptions{ false, false, 3 }, NodeListOptions{ true, true, 31 } })
     {
       std::vector<std::pair<int, std::uint64_t>> expected;
       ForEachNode(made.Tree,
         [&](const auto& node)
         {
-          if (node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty())
+          const bool isOfDepth = options.Depth < 0 || node.NodeKey.GetDepth() == options.Depth;
+          if (isOfDepth &&
+            (node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty()))
           {
             expected.emplace_back(node.NodeKey.GetDepth(), node.NodeKey.GetValue());
           }

@@ -107,8 +107,8 @@ vtkSmartPointer<vtkPolyData> MakePolyDataOf(const std::vector<double>& coordinat
 
 TEST(TestHashedOctreeFilterOptions, ArraysOfAnyTypeGiveTheSameTree)
 {
-  // Whole numbers, which all types hold.
-  std::vector<double> coordinates = MakeUniformPoints<3, double>(300, 34, -100.0, 100.0);
+  // Whole numbers, which all types hold; more points than a thread copies at a time.
+  std::vector<double> coordinates = MakeUniformPoints<3, double>(20000, 34, -100.0, 100.0);
   for (double& x : coordinates)
   {
     x = std::round(x);

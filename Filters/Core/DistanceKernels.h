@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_DistanceKernels_h
+#define hashedoctree_DistanceKernels_h
+
+#include "MortonKey.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hashedoctree
+{
+/**
+ * The tight boxes of the children of one block, in 256 steps along each side of the block's cell
+ * and rounded outwards. `Lower` and `Upper` name the first and the last step that a child's points
+ * touch. Children without points have no meaning.
+ */
+template <int Dim>
+struct ChildBoxes
+{
+  static constexpr int Steps = 256;
+
+  std::uint8_t Lower[Dim][MortonKey<Dim>::NumberOfOctants];
+  std::uint8_t Upper[Dim][MortonKey<Dim>::NumberOfOctants];
+};
+
+/**
+ * The two inner loops of all searches for points, compiled for the plain machine and for AVX2;
+ * which one runs is found once at run time, so that a build needs no -march. Both give the same
+ * results to the last bit: neither fuses multiplications and additions.
+ */
+template <int Dim, typename Real>
+struct DistanceKernels
+{
+  /** Squared distances from x to `count` points whose coordinates stand axis after axis: the sum of
+   * squared differences in double, axis by axis in order. */
+  void (*ToPoints)(const Real* coordinates, std::size_t count, const double* x, double* dist2);
+
+  /** Squared distances from a place to the boxes of all children, both in steps of the block,
+   * less than what float may err: never more than the true ones, but for a factor of
+   * (1 + BoxError). */
+  void (*ToBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float* dist2);
+
+  static constexpr double BoxError = 4e-6;
+};
+
+/** The fastest kernels that the machine can run. */
+template <int Dim, typename Real>
+const DistanceKernels<Dim, Real>& GetDistanceKernels();
+}
+
+#endif

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_PointSearch_h
+#define hashedoctree_PointSearch_h
+
+#include "PointTree.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace hashedoctree
+{
+/** A point that a search found: its id in the data set, and its squared distance in world units. */
+struct FoundPoint
+{
+  double Dist2;
+  std::uint32_t Id;
+
+  /** Nearer first, equally near ones by id. */
+  friend bool operator<(const FoundPoint& a, const FoundPoint& b)
+  {
+    return a.Dist2 != b.Dist2 ? a.Dist2 < b.Dist2 : a.Id < b.Id;
+  }
+};
+
+/**
+ * Searches for points, exact and deterministic: what is found depends on the points and the
+ * position only, never on the start depth. Distances are computed in double as the sum of squared
+ * differences, axis by axis in order; of equally near points the one with the smallest id wins.
+ *
+ * A search begins at the leaf of the position, which it finds from the start depth. A ball around
+ * the position that reaches further is covered by the at most 2^Dim cells of the smallest depth
+ * whose cells are as wide as the ball. They are reached directly through the table, and only they
+ * are descended into, past the boxes of their children.
+ *
+ * Positions may lie anywhere; one that is not finite has no points near it. All members are thread
+ * safe. Mean cost of the closest point is O(1) near the points; O(depth * 2^Dim) or so far from
+ * them.
+ */
+template <int Dim, typename Real>
+class PointSearch
+{
+public:
+  /** `startDepth` in [0, MortonKey::MaxDepth]. The tree must outlive the search. */
+  PointSearch(const PointTree<Dim, Real>& tree, int startDepth)
+    : Tree(tree)
+    , StartDepth(startDepth)
+  {
+  }
+
+  /** The closest point within a squared radius, on it included. Returns false, and leaves `found`
+   * alone, when there is none or the position or the radius is not a number. */
+  bool FindClosest(const Position<Dim>& x, FoundPoint& found,
+    double radius2 = std::numeric_limits<double>::infinity()) const;
+
+  /** The `count` closest points in order, or all where there are fewer. `found` is replaced. */
+  void FindClosest(const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const;
+
+  /** The points within a radius, those at it included, in an order that depends on the points and
+   * the position only. `found` is replaced. No point for a radius that is negative or no number. */
+  void FindWithin(const Position<Dim>& x, double radius, std::vector<std::uint32_t>& found) const;
+
+private:
+  const PointTree<Dim, Real>& Tree;
+  int StartDepth;
+};
+}
+
+#endif

@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHashedOctreePointLocator.h"
+
+#include "AlgorithmExecution.h"
+#include "DepthStatistics.h"
+#include "OctreeCells.h"
+#include "PointSearch.h"
+#include "PointsAdaptor.h"
+
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <variant>
+#include <vector>
+
+using namespace hashedoctree;
+
+vtkStandardNewMacro(vtkHashedOctreePointLocator);
+
+namespace
+{
+constexpr int MaxDepthOfKeys = MortonKey<3>::MaxDepth;
+
+/** The calling thread's own memory for what one query finds, so that most queries allocate none. */
+template <typename T>
+class Found
+{
+public:
+  Found() { this->Values.clear(); }
+  ~Found()
+  {
+    if (this->Values.capacity() > MostToKeep)
+    {
+      std::vector<T>().swap(this->Values);
+    }
+  }
+  Found(const Found&) = delete;
+  void operator=(const Found&) = delete;
+
+  std::vector<T>& Get() { return this->Values; }
+
+  /** Replaces the ids of a list by those of the values. */
+  template <typename ToId>
+  void CopyTo(vtkIdList* list, const ToId& toId) const
+  {
+    list->SetNumberOfIds(static_cast<vtkIdType>(this->Values.size()));
+    std::transform(this->Values.begin(), this->Values.end(), list->GetPointer(0),
+      [&toId](const T& value) { return static_cast<vtkIdType>(toId(value)); });
+  }
+
+private:
+  static constexpr std::size_t MostToKeep = 65536;
+
+  static std::vector<T>& GetOfThread()
+  {
+    thread_local std::vector<T> values;
+    return values;
+  }
+  std::vector<T>& Values = GetOfThread();
+};
+}
+
+/** The tree over the points, in the precision that they came in, and where its searches start. */
+class vtkHashedOctreePointLocator::Index
+{
+public:
+  std::variant<PointTree<3, float>, PointTree<3, double>> Points;
+  int StartDepth = 0;
+
+  /** Calls function(tree). */
+  template <typename Function>
+  decltype(auto) Visit(const Function& function) const
+  {
+    return std::visit(function, this->Points);
+  }
+  /** Calls function(search). */
+  template <typename Function>
+  auto Search(const Function& function) const
+  {
+    return this->Visit([this, &function](const auto& tree)
+      { return function(PointSearch(tree, this->StartDepth)); });
+  }
+  const Octree<3>& GetOctree() const
+  {
+    return this->Visit([](const auto& tree) -> const Octree<3>& { return tree.GetOctree(); });
+  }
+
+  void ChooseStartDepth(int startDepthModel, int frequencyModel, int fixedStartDepth)
+  {
+    const DepthHistogram histogram = GetDepthHistogram(this->GetOctree().GetDepthCounts(),
+      static_cast<hashedoctree::FrequencyModel>(frequencyModel), 3);
+    switch (startDepthModel)
+    {
+      case Mean:
+        this->StartDepth = GetMeanDepth(histogram);
+        break;
+      case Root:
+        this->StartDepth = 0;
+        break;
+      case Fixed:
+        this->StartDepth = fixedStartDepth;
+        break;
+      default:
+        this->StartDepth = GetMedianDepth(histogram);
+    }
+  }
+};
+
+vtkHashedOctreePointLocator::vtkHashedOctreePointLocator()
+{
+  this->MaxLevel = MaxDepthOfKeys;
+}
+
+vtkHashedOctreePointLocator::~vtkHashedOctreePointLocator() = default;
+
+void vtkHashedOctreePointLocator::SetMaxDepth(int depth)
+{
+  this->SetMaxLevel(std::min(depth, MaxDepthOfKeys));
+}
+
+int vtkHashedOctreePointLocator::GetMaxDepth()
+{
+  return std::min(this->MaxLevel, MaxDepthOfKeys);
+}
+
+void vtkHashedOctreePointLocator::SetFrequencyModel(int model)
+{
+  this->SetStartDepthProperty(
+    this->FrequencyModel, std::clamp<int>(model, FrequencyModels::Leaves, FrequencyModels::Grid));
+}
+
+void vtkHashedOctreePointLocator::SetStartDepthModel(int model)
+{
+  this->SetStartDepthProperty(this->StartDepthModel,
+    std::clamp<int>(model, StartDepthModels::Median, StartDepthModels::Fixed));
+}
+
+void vtkHashedOctreePointLocator::SetFixedStartDepth(int depth)
+{
+  this->SetStartDepthProperty(this->FixedStartDepth, std::clamp(depth, 0, MaxDepthOfKeys));
+}
+
+void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value)
+{
+  if (property == value)
+  {
+    return;
+  }
+  const bool wasUpToDate = this->IsUpToDate();
+  property = value;
+  this->Modified();
+  if (this->Tree)
+  {
+    this->Tree->ChooseStartDepth(
+      this->StartDepthModel, this->FrequencyModel, this->FixedStartDepth);
+  }
+  if (wasUpToDate)
+  {
+    this->BuildTime.Modified();
+  }
+}
+
+bool vtkHashedOctreePointLocator::IsUpToDate()
+{
+  return this->Tree && this->BuildTime > this->GetMTime() &&
+    (this->DataSet == nullptr || this->BuildTime > this->DataSet->GetMTime());
+}
+
+void vtkHashedOctreePointLocator::BuildLocator()
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  if (this->Tree && this->UseExistingSearchStructure)
+  {
+    return;
+  }
+#endif
+  if (!this->IsUpToDate())
+  {
+    this->BuildLocatorInternal();
+  }
+}
+
+void vtkHashedOctreePointLocator::ForceBuildLocator()
+{
+  this->BuildLocatorInternal();
+}
+
+void vtkHashedOctreePointLocator::BuildLocatorInternal()
+{
+  this->FreeSearchStructure();
+  this->Tree = std::make_unique<Index>();
+  if (this->DataSet != nullptr && this->DataSet->GetNumberOfPoints() > 0)
+  {
+    try
+    {
+      this->FillIndex();
+    }
+    catch (const std::bad_alloc&)
+    {
+      vtkErrorMacro("There is not enough memory for the octree; raise MaxPointsPerLeaf.");
+    }
+    catch (const std::exception& exception)
+    {
+      vtkErrorMacro(<< exception.what());
+    }
+  }
+  this->BuildTime.Modified();
+}
+
+void vtkHashedOctreePointLocator::FillIndex()
+{
+  const Execution execution = MakeExecution();
+  const PointsAdaptor points(this->DataSet, execution);
+  Octree<3>::Options options;
+  options.MaxPointsPerLeaf = static_cast<std::size_t>(this->MaxPointsPerLeaf);
+  options.MaxDepth = this->GetMaxDepth();
+  std::size_t skipped = 0;
+  points.Visit(
+    [&](auto span)
+    {
+      const PointSelection<3> selection(span, {}, execution);
+      this->Tree->Points = PointTree(span, selection, options, execution);
+      skipped = selection.GetNumberOfSkippedPoints();
+      for (int axis = 0; axis < 3 && selection.GetNumberOfPoints() > 0; ++axis)
+      {
+        this->Bounds[2 * axis] = selection.GetBox().Lower[axis];
+        this->Bounds[2 * axis + 1] = selection.GetBox().Upper[axis];
+      }
+    });
+  if (skipped > 0)
+  {
+    vtkWarningMacro(<< skipped << " of " << this->DataSet->GetNumberOfPoints()
+                    << " points have a coordinate that is not finite; they are left out.");
+  }
+  const Octree<3>& octree = this->Tree->GetOctree();
+  if (octree.GetNumberOfPoints() > 0)
+  {
+    this->Level = octree.GetDeepestDepth();
+    this->NumberOfBuckets = static_cast<vtkIdType>(octree.GetNumberOfLeaves());
+  }
+  this->Tree->ChooseStartDepth(this->StartDepthModel, this->FrequencyModel, this->FixedStartDepth);
+}
+
+void vtkHashedOctreePointLocator::FreeSearchStructure()
+{
+  this->Tree.reset();
+  this->Level = 0;
+  this->NumberOfBuckets = 0;
+  vtkMath::UninitializeBounds(this->Bounds);
+}
+
+const vtkHashedOctreePointLocator::Index& vtkHashedOctreePointLocator::GetIndex()
+{
+  this->BuildLocator();
+  return *this->Tree;
+}
+
+vtkIdType vtkHashedOctreePointLocator::FindClosestPoint(const double x[3])
+{
+  FoundPoint found{};
+  const bool exists = this->GetIndex().Search(
+    [&](const auto& search) {
+      return search.FindClosest({ x[0], x[1], x[2] }, found);
+    });
+  return exists ? static_cast<vtkIdType>(found.Id) : -1;
+}
+
+vtkIdType vtkHashedOctreePointLocator::FindClosestPointWithinRadius(
+  double radius, const double x[3], double& dist2)
+{
+  FoundPoint found{};
+  const bool exists = this->GetIndex().Search(
+    [&](const auto& search) {
+      return radius >= 0.0 && search.FindClosest({ x[0], x[1], x[2] }, found, radius * radius);
+    });
+  if (!exists)
+  {
+    return -1;
+  }
+  dist2 = found.Dist2;
+  return static_cast<vtkIdType>(found.Id);
+}
+
+void vtkHashedOctreePointLocator::FindClosestNPoints(
+  int count, const double x[3], vtkIdList* result)
+{
+  Found<FoundPoint> found;
+  this->GetIndex().Search(
+    [&](const auto& search)
+    {
+      search.FindClosest(
+        { x[0], x[1], x[2] }, static_cast<std::size_t>(std::max(count, 0)), found.Get());
+    });
+  found.CopyTo(result, [](const FoundPoint& point) { return point.Id; });
+}
+
+void vtkHashedOctreePointLocator::FindPointsWithinRadius(
+  double radius, const double x[3], vtkIdList* result)
+{
+  Found<std::uint32_t> found;
+  this->GetIndex().Search(
+    [&](const auto& search) {
+      search.FindWithin({ x[0], x[1], x[2] }, radius, found.Get());
+    });
+  found.CopyTo(result, [](std::uint32_t id) { return id; });
+}
+
+void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData* pd)
+{
+  const Index& index = this->GetIndex();
+  NodeListOptions options;
+  if (level >= 0)
+  {
+    options.InternalNodes = true;
+    options.Depth = level;
+  }
+  pd->Initialize();
+  try
+  {
+    OctreeCells(index.GetOctree(), index.StartDepth, options).MakeOutlines(pd, MakeExecution());
+  }
+  catch (const std::bad_alloc&)
+  {
+    pd->Initialize();
+    vtkErrorMacro("There is not enough memory for the boxes; ask for a smaller level.");
+  }
+}
+
+int vtkHashedOctreePointLocator::GetStartDepth() const
+{
+  return this->Tree ? this->Tree->StartDepth : 0;
+}
+
+vtkIdType vtkHashedOctreePointLocator::GetIndexBytes() const
+{
+  return this->Tree
+    ? static_cast<vtkIdType>(this->Tree->Visit([](const auto& tree) { return tree.GetBytes(); }))
+    : 0;
+}
+
+void vtkHashedOctreePointLocator::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
+  os << indent << "MaxDepth: " << this->GetMaxDepth() << "\n";
+  os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
+  os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
+  os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
+  os << indent << "StartDepth: " << this->GetStartDepth() << "\n";
+  os << indent << "IndexBytes: " << this->GetIndexBytes() << "\n";
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHashedOctreePointLocator
+ * @brief   finds points close to positions: exact, deterministic, in an octree kept in a hash table
+ *
+ * Takes the place of vtkStaticPointLocator and of every other vtkAbstractPointLocator. The points
+ * are put into an octree whose nodes are reached directly by position and depth, so that a search
+ * need not begin at the root: it begins at a start depth estimated from the depths of the leaves
+ * ("Statistical optimization of octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon,
+ * 2008). The start depth changes what a search costs, never what it finds.
+ *
+ * Data set: any vtkDataSet; of one without a vtkPoints (vtkImageData, vtkRectilinearGrid)
+ * GetPoint() gives the points. Coordinates are kept as float or double as they come, everything
+ * else as double; they are copied, so that between builds a query never looks at the data set's
+ * points.
+ *
+ * What is promised, of data and positions of any kind:
+ * - Distances are computed in double, as the sum of squared differences in axis order. The answer
+ *   is the one that a comparison with every point would give.
+ * - Of equally near points the one with the smallest id wins. FindClosestNPoints() sorts by
+ *   distance, then by id. The order of FindPointsWithinRadius() is not specified, but depends only
+ *   on the data, the properties of the tree and the query.
+ * - A radius is inclusive: points with a squared distance of at most radius * radius are within.
+ *   Radius 0 finds the points at x, an infinite radius all, one that is negative or NaN none.
+ * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
+ * - A position may lie anywhere, any number of widths away from the data. One that is not finite
+ *   has no closest point (-1, or an empty list).
+ * - Without points, or without a data set, queries find nothing (-1, or an empty list), silently.
+ * - Lists are always reset first. A squared distance is set exactly when a point is found.
+ * - Points with a coordinate that is not finite are never found; each build that meets some says
+ *   so in one warning with their number.
+ * - One point, points that are all equal, few points far from many: all as above. Points closer
+ *   together than 2^-MaxDepth of the data's extent share a leaf, in which each is looked at.
+ *
+ * Every query builds the tree first if it must: when there is none, or when the locator or the data
+ * set was modified after the last build (and UseExistingSearchStructure is off). So the data set
+ * may be changed, emptied or replaced between queries. After BuildLocator(), called directly or by
+ * a query, the queries are thread safe as long as nothing is modified. The build runs on the
+ * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points;
+ * more, or not enough memory, is an error, after which queries find nothing.
+ *
+ * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
+ * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
+ * too (both 0 without points), and Bounds are those of the finite points (uninitialized, as by
+ * vtkMath::UninitializeBounds(), without any).
+ */
+
+#ifndef vtkHashedOctreePointLocator_h
+#define vtkHashedOctreePointLocator_h
+
+#include "HashedOctreeFiltersModule.h" // For export macro
+#include "vtkAbstractPointLocator.h"
+#include "vtkVersionMacros.h" // For the version that brought ForceBuildLocator()
+
+#include <memory> // For std::unique_ptr
+
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreePointLocator : public vtkAbstractPointLocator
+{
+public:
+  static vtkHashedOctreePointLocator* New();
+  vtkTypeMacro(vtkHashedOctreePointLocator, vtkAbstractPointLocator);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  // The (x, y, z) forms, which the ones below would hide.
+  using vtkAbstractPointLocator::FindClosestNPoints;
+  using vtkAbstractPointLocator::FindClosestPoint;
+  using vtkAbstractPointLocator::FindPointsWithinRadius;
+
+  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
+   * volume (paper section 4). */
+  enum FrequencyModels
+  {
+    Leaves = 0,
+    Points = 1,
+    Grid = 2
+  };
+
+  /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
+   * the nearest depth, at the root, or at FixedStartDepth. */
+  enum StartDepthModels
+  {
+    Median = 0,
+    Mean = 1,
+    Root = 2,
+    Fixed = 3
+  };
+
+  ///@{
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 16. */
+  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaxPointsPerLeaf, int);
+  ///@}
+
+  ///@{
+  /** Depth below which nothing is split, in [0, 21]; default 21. It is vtkLocator's MaxLevel under
+   * the name that it has elsewhere in the module; a MaxLevel above 21 counts as 21. */
+  void SetMaxDepth(int depth);
+  int GetMaxDepth();
+  ///@}
+
+  ///@{
+  /** One of FrequencyModels; default Leaves. A change moves the start depth of a tree that is up to
+   * date, at once, and does not rebuild it. */
+  void SetFrequencyModel(int model);
+  vtkGetMacro(FrequencyModel, int);
+  ///@}
+
+  ///@{
+  /** One of StartDepthModels; default Median. A change does not rebuild the tree, as above. */
+  void SetStartDepthModel(int model);
+  vtkGetMacro(StartDepthModel, int);
+  ///@}
+
+  ///@{
+  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. A
+   * change does not rebuild the tree, as above. */
+  void SetFixedStartDepth(int depth);
+  vtkGetMacro(FixedStartDepth, int);
+  ///@}
+
+  /** Id of the point closest to x, or -1. Near the points the mean cost is O(1), far from them
+   * O(depth). Thread safe after a build. */
+  vtkIdType FindClosestPoint(const double x[3]) override;
+
+  /** Id of the point closest to x among those within the radius, or -1. `dist2` is set to its
+   * squared distance, and left alone when there is none. Thread safe after a build. */
+  vtkIdType FindClosestPointWithinRadius(double radius, const double x[3], double& dist2) override;
+
+  /** Ids of the `count` points closest to x, sorted by distance, then by id; of all points when
+   * there are no more. Thread safe after a build. */
+  void FindClosestNPoints(int count, const double x[3], vtkIdList* result) override;
+
+  /** Ids of the points within the radius of x, in no order to rely on. Thread safe after a build.
+   */
+  void FindPointsWithinRadius(double radius, const double x[3], vtkIdList* result) override;
+
+  /** Builds the tree unless it is up to date or, where there is one, UseExistingSearchStructure is
+   * on. O(n). */
+  void BuildLocator() override;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  /** Builds the tree. O(n). */
+  void ForceBuildLocator() override;
+#else
+  virtual void ForceBuildLocator();
+#endif
+  void FreeSearchStructure() override;
+
+  /**
+   * The nodes at a depth that hold points, as boxes, one vtkPolyLine along the edges of each; all
+   * leaves that hold points for a negative level. 0 is the root, GetLevel() the deepest; deeper
+   * levels have no nodes. Ordered by depth, then by Morton key. Cell arrays as in
+   * vtkHashedOctreeFilter: Depth (active scalars), HitCost, RootCost, PointCount, MortonKey. Builds
+   * the tree if it must.
+   */
+  void GenerateRepresentation(int level, vtkPolyData* pd) override;
+
+  /** The depth at which searches start, by the properties above; 0 before the first build. */
+  int GetStartDepth() const;
+
+  /** Bytes of the whole search structure, copied coordinates included; 0 before the first build. */
+  vtkIdType GetIndexBytes() const;
+
+protected:
+  vtkHashedOctreePointLocator();
+  ~vtkHashedOctreePointLocator() override;
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  void BuildLocatorInternal() override;
+#else
+  virtual void BuildLocatorInternal();
+#endif
+
+private:
+  vtkHashedOctreePointLocator(const vtkHashedOctreePointLocator&) = delete;
+  void operator=(const vtkHashedOctreePointLocator&) = delete;
+
+  class Index;
+
+  /** The index, built if it must be. */
+  const Index& GetIndex();
+  bool IsUpToDate();
+  void FillIndex();
+  void SetStartDepthProperty(int& property, int value);
+
+  int MaxPointsPerLeaf = 16;
+  int FrequencyModel = Leaves;
+  int StartDepthModel = Median;
+  int FixedStartDepth = 0;
+  std::unique_ptr<Index> Tree;
+};
+
+#endif

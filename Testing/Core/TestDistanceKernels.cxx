@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DistanceKernels.h"
+
+#include "Dimensions.h"
+#include "PointSamples.h"
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestDistanceKernels : public ::testing::Test
+{
+protected:
+  static constexpr int Dim = Dimension::value;
+  static constexpr unsigned Octants = MortonKey<Dim>::NumberOfOctants;
+
+  static ChildBoxes<Dim> MakeBoxes(std::mt19937& random)
+  {
+    ChildBoxes<Dim> boxes;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      for (unsigned octant = 0; octant < Octants; ++octant)
+      {
+        const unsigned a = random() % 256;
+        const unsigned b = random() % 256;
+        boxes.Lower[axis][octant] = static_cast<std::uint8_t>(std::min(a, b));
+        boxes.Upper[axis][octant] = static_cast<std::uint8_t>(std::max(a, b));
+      }
+    }
+    return boxes;
+  }
+};
+TYPED_TEST_SUITE(TestDistanceKernels, Dimensions);
+
+TYPED_TEST(TestDistanceKernels, PointsToTheLastBit)
+{
+  constexpr int dim = TestFixture::Dim;
+  const double x[4] = { 0.3, -1.7, 1e6, 0.1 };
+  for (std::size_t count = 0; count < 40; ++count)
+  {
+    const std::vector<float> points = MakeUniformPoints<dim, float>(count, 131);
+    std::vector<double> dist2(count + 1, -1.0);
+    GetDistanceKernels<dim, float>().ToPoints(points.data(), count, x, dist2.data());
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      double expected = 0.0;
+      for (std::size_t axis = 0; axis < dim; ++axis)
+      {
+        const double difference = static_cast<double>(points[axis * count + i]) - x[axis];
+        expected += difference * difference;
+      }
+      ASSERT_EQ(dist2[i], expected);
+    }
+    EXPECT_EQ(dist2[count], -1.0) << "written beyond the end";
+  }
+}
+
+TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
+{
+  constexpr int dim = TestFixture::Dim;
+  std::mt19937 random(132);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const double reach : { 1.0, 300.0, 1e5, 1e9, 1e14 })
+  {
+    for (int trial = 0; trial < 200; ++trial)
+    {
+      const ChildBoxes<dim> boxes = TestFixture::MakeBoxes(random);
+      double steps[dim];
+      for (double& step : steps)
+      {
+        step = 128.0 + reach * uniform(random);
+      }
+      float dist2[TestFixture::Octants];
+      GetDistanceKernels<dim, double>().ToBoxes(boxes, steps, dist2);
+      for (unsigned octant = 0; octant < TestFixture::Octants; ++octant)
+      {
+        double expected = 0.0;
+        for (int axis = 0; axis < dim; ++axis)
+        {
+          // A box ends where its last step does.
+          const double below = boxes.Lower[axis][octant] - steps[axis];
+          const double above = steps[axis] - (boxes.Upper[axis][octant] + 1.0);
+          const double distance = std::max({ 0.0, below, above });
+          expected += distance * distance;
+        }
+        constexpr double error = DistanceKernels<dim, double>::BoxError;
+        ASSERT_LE(static_cast<double>(dist2[octant]), expected * (1.0 + error));
+        // Nor so much nearer that searching would go astray.
+        ASSERT_GE(static_cast<double>(dist2[octant]),
+          expected * (1.0 - 1e-4) - 0.01 * std::sqrt(expected) - 0.01);
+      }
+    }
+  }
+}
+
+TYPED_TEST(TestDistanceKernels, FarthestPlacesStayFinite)
+{
+  constexpr int dim = TestFixture::Dim;
+  std::mt19937 random(133);
+  const ChildBoxes<dim> boxes = TestFixture::MakeBoxes(random);
+  double steps[dim];
+  std::fill(std::begin(steps), std::end(steps), -1e300);
+  float dist2[TestFixture::Octants];
+  GetDistanceKernels<dim, float>().ToBoxes(boxes, steps, dist2);
+  for (const float distance2 : dist2)
+  {
+    EXPECT_TRUE(std::isfinite(distance2));
+    EXPECT_GT(distance2, 1e29F);
+  }
+}

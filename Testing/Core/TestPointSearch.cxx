@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSearch.h"
+
+#include "BruteForceSearch.h"
+#include "Dimensions.h"
+#include "PointSamples.h"
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestPointSearch : public ::testing::Test
+{
+protected:
+  static constexpr int Dim = Dimension::value;
+
+  /** Positions near, on, between, beside and far from the points of a box. */
+  Position<Dim> MakePosition(const Box<Dim>& box, const Position<Dim>& point)
+  {
+    double extent = 0.0;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      extent = std::max(extent, box.Upper[axis] - box.Lower[axis]);
+    }
+    extent = extent > 0.0 ? extent : 1.0;
+    std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+    const auto kind = this->Random() % 6;
+    Position<Dim> x = point;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const double u = uniform(this->Random);
+      x[axis] = kind == 0 ? point[axis]
+        : kind == 1       ? point[axis] + 1e-3 * extent * u
+        : kind == 2       ? point[axis] + 1e-9 * extent * u
+        : kind == 3       ? box.Lower[axis] + extent * (0.5 + 1.5 * u)
+        : kind == 4       ? box.Lower[axis] + 1e6 * extent * u
+                    : box.Lower[axis] + extent * static_cast<double>(this->Random() % 9) / 8.0;
+    }
+    return x;
+  }
+
+  template <typename Real>
+  void ExpectAsBruteForce(const PointSample<Dim, Real>& sample, std::size_t bucket, int queries)
+  {
+    SCOPED_TRACE(sample.Name + ", " + std::to_string(bucket) + " points per leaf");
+    const auto points = sample.GetSpan();
+    const PointSelection<Dim> selection(points, {}, Execution());
+    const PointTree<Dim, Real> tree(
+      points, selection, { bucket, MortonKey<Dim>::MaxDepth }, Execution());
+    const BruteForceSearch<Dim, Real> oracle(points);
+    for (int query = 0; query < queries; ++query)
+    {
+      Position<Dim> point{};
+      const std::size_t pick = this->Random() % points.Count;
+      if (selection.Keeps(points[pick]))
+      {
+        std::copy(points[pick], points[pick] + Dim, point.begin());
+      }
+      const Position<Dim> x = this->MakePosition(selection.GetBox(), point);
+      const std::vector<OracleFound> all = oracle.FindAll(x);
+      for (int startDepth = query % 3; startDepth <= MortonKey<Dim>::MaxDepth; startDepth += 3)
+      {
+        this->ExpectFound(PointSearch<Dim, Real>(tree, startDepth), x, all);
+      }
+    }
+  }
+
+  template <typename Real>
+  void ExpectFound(const PointSearch<Dim, Real>& search, const Position<Dim>& x,
+    const std::vector<OracleFound>& all)
+  {
+    FoundPoint closest{};
+    ASSERT_TRUE(search.FindClosest(x, closest));
+    ASSERT_EQ(closest.Id, all[0].Id);
+    ASSERT_EQ(closest.Dist2, all[0].Dist2);
+    // On the radius is within it, just below is not.
+    ASSERT_TRUE(search.FindClosest(x, closest, all[0].Dist2));
+    ASSERT_EQ(closest.Id, all[0].Id);
+    ASSERT_FALSE(search.FindClosest(x, closest, std::nextafter(all[0].Dist2, -1.0)));
+
+    const std::size_t count = 1 + this->Random() % 40;
+    std::vector<FoundPoint> few;
+    search.FindClosest(x, count, few);
+    ASSERT_EQ(few.size(), std::min(count, all.size()));
+    for (std::size_t i = 0; i < few.size(); ++i)
+    {
+      ASSERT_EQ(few[i].Id, all[i].Id);
+      ASSERT_EQ(few[i].Dist2, all[i].Dist2);
+    }
+
+    const double radius =
+      std::sqrt(all[this->Random() % std::min<std::size_t>(60, all.size())].Dist2);
+    std::vector<std::uint32_t> within;
+    search.FindWithin(x, radius, within);
+    std::vector<std::int64_t> found(within.begin(), within.end());
+    std::sort(found.begin(), found.end());
+    std::vector<std::int64_t> expected = GetIds(all, CountWithin(all, radius));
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(found, expected);
+  }
+
+  std::mt19937_64 Random{ 151 };
+};
+TYPED_TEST_SUITE(TestPointSearch, Dimensions);
+
+TYPED_TEST(TestPointSearch, FindsWhatBruteForceFindsFromAnyStartDepth)
+{
+  constexpr int dim = TestFixture::Dim;
+  for (const auto& sample : MakePointSamples<dim, double>())
+  {
+    if (sample.Name != "empty" && sample.Name != "nothing finite")
+    {
+      this->ExpectAsBruteForce(sample, 1, 20);
+      this->ExpectAsBruteForce(sample, 8, 60);
+    }
+  }
+  for (const auto& sample : MakePointSamples<dim, float>())
+  {
+    if (sample.Name != "empty" && sample.Name != "nothing finite")
+    {
+      this->ExpectAsBruteForce(sample, 32, 60);
+    }
+  }
+}
+
+TYPED_TEST(TestPointSearch, FindsAmongMany)
+{
+  constexpr int dim = TestFixture::Dim;
+  this->ExpectAsBruteForce(
+    PointSample<dim, float>{ "uniform", MakeUniformPoints<dim, float>(20000, 152) }, 16, 40);
+  this->ExpectAsBruteForce(
+    PointSample<dim, float>{ "sphere", MakeSpherePoints<dim, float>(20000, 153) }, 16, 40);
+  this->ExpectAsBruteForce(
+    PointSample<dim, double>{ "clusters", MakeClusteredPoints<dim, double>(20000, 154) }, 16, 40);
+}
+
+TEST(TestPointSearchFacts, ManyAreFoundInOrder)
+{
+  // Beyond the number that is kept in order all the time.
+  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(5000, 156) };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, float> tree(sample.GetSpan(), selection, { 16, 21 }, Execution());
+  const PointSearch<3, float> search(tree, 3);
+  const Position<3> x{ 0.1, 0.9, 0.4 };
+  const std::vector<OracleFound> all = BruteForceSearch<3, float>(sample.GetSpan()).FindAll(x);
+  for (const std::size_t count : { 64U, 65U, 700U, 4999U, 5000U, 9000U })
+  {
+    std::vector<FoundPoint> found;
+    search.FindClosest(x, count, found);
+    ASSERT_EQ(found.size(), std::min<std::size_t>(count, 5000));
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      ASSERT_EQ(found[i].Id, all[i].Id);
+    }
+  }
+}
+
+TEST(TestPointSearchFacts, NothingToFind)
+{
+  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(100, 155) };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, float> tree(sample.GetSpan(), selection, { 8, 21 }, Execution());
+  const PointTree<3, float> empty;
+  const Position<3> inside{ 0.5, 0.5, 0.5 };
+  const auto expectNothing = [](const PointTree<3, float>& points, const Position<3>& x)
+  {
+    const PointSearch<3, float> search(points, 4);
+    FoundPoint closest{ 7.0, 7 };
+    EXPECT_FALSE(search.FindClosest(x, closest));
+    EXPECT_EQ(closest.Id, 7U);
+    std::vector<FoundPoint> few{ closest };
+    search.FindClosest(x, 5, few);
+    EXPECT_TRUE(few.empty());
+    std::vector<std::uint32_t> within{ 7 };
+    search.FindWithin(x, 10.0, within);
+    EXPECT_TRUE(within.empty());
+  };
+  expectNothing(empty, inside);
+  expectNothing(tree, { NAN, 0.5, 0.5 });
+  expectNothing(tree, { 0.5, INFINITY, 0.5 });
+
+  const PointSearch<3, float> search(tree, 4);
+  FoundPoint closest{};
+  EXPECT_FALSE(search.FindClosest(inside, closest, -1.0));
+  EXPECT_FALSE(search.FindClosest(inside, closest, NAN));
+  std::vector<FoundPoint> few{ closest };
+  search.FindClosest(inside, 0, few);
+  EXPECT_TRUE(few.empty());
+  std::vector<std::uint32_t> within{ 7 };
+  search.FindWithin(inside, -1.0, within);
+  EXPECT_TRUE(within.empty());
+  search.FindWithin(inside, NAN, within);
+  EXPECT_TRUE(within.empty());
+  search.FindWithin(inside, INFINITY, within);
+  EXPECT_EQ(within.size(), 100U);
+  search.FindClosest(inside, 1000, few);
+  EXPECT_EQ(few.size(), 100U);
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointTree.h"
+
+#include "Dimensions.h"
+#include "PointSamples.h"
+#include "Threads.h"
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestPointTree : public ::testing::Test
+{
+protected:
+  static constexpr int Dim = Dimension::value;
+  using Tree = PointTree<Dim, float>;
+
+  /** Coordinates and boxes of every child of a tree, against the points themselves. */
+  static void ExpectSound(const PointSample<Dim, float>& sample, const Tree& tree)
+  {
+    const Octree<Dim>& octree = tree.GetOctree();
+    if (!octree.IsRootInternal())
+    {
+      ExpectLeaf(sample, tree, 0, static_cast<std::uint32_t>(tree.GetNumberOfPoints()));
+    }
+    for (std::size_t block = 0; block < octree.GetNumberOfInternalNodes(); ++block)
+    {
+      for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+      {
+        const auto child = octree.GetChild(block, octant);
+        if (!child.Internal)
+        {
+          ExpectLeaf(sample, tree, child.FirstPoint, child.LastPoint);
+        }
+        if (!child.IsEmpty())
+        {
+          ExpectBox(sample, tree, block, octant);
+        }
+      }
+    }
+  }
+
+  static void ExpectLeaf(const PointSample<Dim, float>& sample, const Tree& tree,
+    std::uint32_t firstPoint, std::uint32_t lastPoint)
+  {
+    const std::size_t count = lastPoint - firstPoint;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      for (std::size_t axis = 0; axis < Dim; ++axis)
+      {
+        ASSERT_EQ(tree.GetLeafCoordinates(firstPoint)[axis * count + i],
+          sample.GetSpan()[tree.GetIds()[firstPoint + i]][axis]);
+      }
+    }
+  }
+
+  /** The box of a child is the smallest one of whole steps that holds the cells of its points. */
+  static void ExpectBox(
+    const PointSample<Dim, float>& sample, const Tree& tree, std::size_t block, unsigned octant)
+  {
+    const Octree<Dim>& octree = tree.GetOctree();
+    const MortonKey<Dim> parent = octree.GetBlockKey(block);
+    const auto child = octree.GetChild(block, octant);
+    const double width = std::ldexp(1.0, MortonKey<Dim>::MaxDepth - parent.GetDepth());
+    const double step = width / ChildBoxes<Dim>::Steps;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      double lower = INFINITY;
+      double upper = -INFINITY;
+      for (std::uint32_t i = child.FirstPoint; i < child.LastPoint; ++i)
+      {
+        const double cell = octree.GetGrid().GetCell(sample.GetSpan()[tree.GetIds()[i]])[axis];
+        lower = std::min(lower, cell - width * parent.GetCell()[axis]);
+        upper = std::max(upper, cell + 1.0 - width * parent.GetCell()[axis]);
+      }
+      const ChildBoxes<Dim>& boxes = tree.GetChildBoxes(block);
+      ASSERT_EQ(boxes.Lower[axis][octant], std::floor(lower / step));
+      ASSERT_EQ(boxes.Upper[axis][octant] + 1, std::ceil(upper / step));
+    }
+  }
+};
+TYPED_TEST_SUITE(TestPointTree, Dimensions);
+
+TYPED_TEST(TestPointTree, HoldsThePointsAndTheirBoxes)
+{
+  constexpr int dim = TestFixture::Dim;
+  auto samples = MakePointSamples<dim, float>();
+  samples.push_back({ "many", MakeClusteredPoints<dim, float>(20000, 141) });
+  for (const auto& sample : samples)
+  {
+    for (const std::size_t bucket : { 1U, 8U })
+    {
+      SCOPED_TRACE(sample.Name);
+      const PointSelection<dim> selection(sample.GetSpan(), {}, Execution());
+      for (const unsigned threads : { 1U, 4U })
+      {
+        const PointTree<dim, float> tree(sample.GetSpan(), selection,
+          { bucket, MortonKey<dim>::MaxDepth }, Execution(OnThreads(threads)));
+        EXPECT_EQ(tree.GetNumberOfPoints(), selection.GetNumberOfPoints());
+        TestFixture::ExpectSound(sample, tree);
+      }
+    }
+  }
+}
+
+TEST(TestPointTreeFacts, TakesAtMost32BytesPerPoint)
+{
+  // Beside the input: floats, in leaves of 16 as the locator has them.
+  for (const auto& coordinates : { MakeUniformPoints<3, float>(100000, 142),
+         MakeSpherePoints<3, float>(100000, 143), MakeClusteredPoints<3, float>(100000, 144) })
+  {
+    const PointSpan<3, float> points{ coordinates.data(), 100000 };
+    const PointSelection<3> selection(points, {}, Execution());
+    const PointTree<3, float> tree(points, selection, { 16, 21 }, Execution());
+    EXPECT_LE(tree.GetBytes(), 32 * tree.GetNumberOfPoints());
+  }
+}
+
+TEST(TestPointTreeFacts, CanBeInterrupted)
+{
+  const auto coordinates = MakeUniformPoints<3, float>(50000, 145);
+  const PointSpan<3, float> points{ coordinates.data(), 50000 };
+  const PointSelection<3> selection(points, {}, Execution());
+  for (const double stop : { 0.0, 0.3, 0.7, 0.9 })
+  {
+    const Execution execution(OnThreads(1), [stop](double fraction) { return fraction < stop; });
+    EXPECT_THROW((PointTree<3, float>(points, selection, { 8, 21 }, execution)), Interrupted);
+  }
+}

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// When the tree is built, what of, and what the locator then tells of it.
+#include "PointSamples.h"
+#include "TestedLocator.h"
+
+#include "vtkVersionMacros.h"
+#include "vtkWeakPointer.h"
+
+#include <sstream>
+
+namespace
+{
+using Class = vtkHashedOctreePointLocator;
+
+/** Counts builds by their warnings: every build meets one point that is not finite. */
+class CountedLocator
+{
+public:
+  CountedLocator()
+    : Cloud(MakePointCloud<float>({ 0, 0, 0, 1, 0, 0, NAN, 0, 0, 0, 2, 0, 0.1F, 0.1F, 0 }))
+    , Locator(this->Cloud)
+  {
+  }
+
+  vtkHashedOctreePointLocator* operator->() { return this->Locator.Get(); }
+  vtkPolyData* GetCloud() { return this->Cloud; }
+
+  /** Builds since the last call. */
+  std::size_t TakeBuilds()
+  {
+    const std::size_t builds = this->Locator.Warnings.size();
+    this->Locator.Warnings.clear();
+    return builds;
+  }
+  /** Builds that BuildLocator() and one query of each kind do. */
+  std::size_t Use()
+  {
+    const double x[3] = { 0.9, 0.0, 0.0 };
+    double dist2 = 0.0;
+    vtkNew<vtkIdList> list;
+    this->Locator->BuildLocator();
+    EXPECT_EQ(this->Locator->FindClosestPoint(x), 1);
+    EXPECT_EQ(this->Locator->FindClosestPointWithinRadius(0.5, x, dist2), 1);
+    this->Locator->FindClosestNPoints(1, x, list);
+    EXPECT_EQ(list->GetId(0), 1);
+    this->Locator->FindPointsWithinRadius(0.5, x, list);
+    EXPECT_EQ(list->GetId(0), 1);
+    return this->TakeBuilds();
+  }
+
+private:
+  vtkSmartPointer<vtkPolyData> Cloud;
+  TestedLocator Locator;
+};
+}
+
+TEST(TestHashedOctreePointLocatorBuild, DefaultsAreAsDocumented)
+{
+  vtkNew<vtkHashedOctreePointLocator> locator;
+  EXPECT_EQ(locator->GetMaxPointsPerLeaf(), 16);
+  EXPECT_EQ(locator->GetMaxDepth(), 21);
+  EXPECT_EQ(locator->GetMaxLevel(), 21);
+  EXPECT_EQ(locator->GetFrequencyModel(), Class::Leaves);
+  EXPECT_EQ(locator->GetStartDepthModel(), Class::Median);
+  EXPECT_EQ(locator->GetFixedStartDepth(), 0);
+  EXPECT_EQ(locator->GetStartDepth(), 0);
+  EXPECT_EQ(locator->GetIndexBytes(), 0);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, PropertiesAreClamped)
+{
+  vtkNew<vtkHashedOctreePointLocator> locator;
+  for (const int value : { VTK_INT_MIN, VTK_INT_MAX })
+  {
+    const bool low = value < 0;
+    locator->SetMaxPointsPerLeaf(value);
+    locator->SetMaxDepth(value);
+    locator->SetFrequencyModel(value);
+    locator->SetStartDepthModel(value);
+    locator->SetFixedStartDepth(value);
+    EXPECT_EQ(locator->GetMaxPointsPerLeaf(), low ? 1 : VTK_INT_MAX);
+    EXPECT_EQ(locator->GetMaxDepth(), low ? 0 : 21);
+    EXPECT_EQ(locator->GetMaxLevel(), low ? 0 : 21);
+    EXPECT_EQ(locator->GetFrequencyModel(), low ? Class::Leaves : Class::Grid);
+    EXPECT_EQ(locator->GetStartDepthModel(), low ? Class::Median : Class::Fixed);
+    EXPECT_EQ(locator->GetFixedStartDepth(), low ? 0 : 21);
+  }
+  locator->SetMaxLevel(1000);
+  EXPECT_EQ(locator->GetMaxDepth(), 21);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, NothingIsBuiltTwice)
+{
+  CountedLocator locator;
+  EXPECT_EQ(locator.TakeBuilds(), 0U);
+  EXPECT_EQ(locator.Use(), 1U);
+  const vtkMTimeType built = locator->GetBuildTime();
+  const vtkMTimeType modified = locator->GetMTime();
+  EXPECT_EQ(locator.Use(), 0U);
+  locator->Update();
+  EXPECT_EQ(locator.Use(), 0U);
+  EXPECT_EQ(locator->GetBuildTime(), built);
+  EXPECT_EQ(locator->GetMTime(), modified);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, ModificationsRebuild)
+{
+  CountedLocator locator;
+  EXPECT_EQ(locator.Use(), 1U);
+  locator->Modified();
+  EXPECT_EQ(locator.Use(), 1U);
+  locator.GetCloud()->Modified();
+  EXPECT_EQ(locator.Use(), 1U);
+  locator.GetCloud()->GetPoints()->Modified();
+  EXPECT_EQ(locator.Use(), 1U);
+  locator->SetMaxPointsPerLeaf(1);
+  EXPECT_EQ(locator.Use(), 1U);
+  locator->SetMaxDepth(4);
+  EXPECT_EQ(locator.Use(), 1U);
+  locator->Modified();
+  locator->Update();
+  EXPECT_EQ(locator.TakeBuilds(), 1U);
+  locator->FreeSearchStructure();
+  EXPECT_EQ(locator.Use(), 1U);
+  locator->Initialize();
+  EXPECT_EQ(locator.Use(), 1U);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, ForceBuildLocatorAlwaysBuilds)
+{
+  CountedLocator locator;
+  for (int i = 0; i < 3; ++i)
+  {
+    const vtkMTimeType before = locator->GetBuildTime();
+    locator->ForceBuildLocator();
+    EXPECT_EQ(locator.TakeBuilds(), 1U);
+    EXPECT_GT(locator->GetBuildTime(), before);
+  }
+  EXPECT_EQ(locator.Use(), 0U);
+}
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+TEST(TestHashedOctreePointLocatorBuild, UseExistingSearchStructureNeverRebuilds)
+{
+  CountedLocator locator;
+  locator->UseExistingSearchStructureOn();
+  EXPECT_EQ(locator.Use(), 1U); // There was none yet.
+  locator->Modified();
+  EXPECT_EQ(locator.Use(), 0U);
+  locator.GetCloud()->GetPoints()->SetPoint(1, 50, 50, 50);
+  locator.GetCloud()->GetPoints()->Modified();
+  EXPECT_EQ(locator.Use(), 0U); // By the points as they were.
+  locator->SetDataSet(nullptr);
+  EXPECT_EQ(locator.Use(), 0U);
+  locator->SetDataSet(locator.GetCloud());
+  locator.GetCloud()->GetPoints()->SetPoint(1, 1, 0, 0);
+  locator->ForceBuildLocator();
+  EXPECT_EQ(locator.TakeBuilds(), 1U);
+  locator.GetCloud()->Modified();
+  locator->UseExistingSearchStructureOff();
+  EXPECT_EQ(locator.Use(), 1U);
+}
+#endif
+
+TEST(TestHashedOctreePointLocatorBuild, StartDepthsDoNotRebuild)
+{
+  CountedLocator locator;
+  locator->SetStartDepthModel(Class::Fixed); // Before there is a tree.
+  locator->SetFixedStartDepth(5);
+  EXPECT_EQ(locator.Use(), 1U);
+  EXPECT_EQ(locator->GetStartDepth(), 5);
+  const auto change = [&locator]
+  {
+    const vtkMTimeType modified = locator->GetMTime();
+    locator->SetFixedStartDepth(7);
+    EXPECT_EQ(locator->GetStartDepth(), 7);
+    EXPECT_GT(locator->GetMTime(), modified);
+    locator->SetFrequencyModel(Class::Points);
+    locator->SetStartDepthModel(Class::Root);
+    EXPECT_EQ(locator->GetStartDepth(), 0);
+    locator->SetStartDepthModel(Class::Fixed);
+    locator->SetFixedStartDepth(5);
+  };
+  change();
+  EXPECT_EQ(locator.Use(), 0U);
+  // But they must not hide that a build is due.
+  locator.GetCloud()->Modified();
+  change();
+  EXPECT_EQ(locator.Use(), 1U);
+  locator->Modified();
+  change();
+  EXPECT_EQ(locator.Use(), 1U);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, StartDepthsAreThoseOfTheModels)
+{
+  // Two points share the cells of the depths 0 to 4, and the third leaves them at once: seven
+  // leaves at each of the depths 1 to 4, eight at 5.
+  TestedLocator locator(MakePointCloud<double>({ 0, 0, 0, 1.0 / 32, 0, 0, 1, 1, 1 }));
+  locator->SetMaxPointsPerLeaf(1);
+  locator->BuildLocator();
+  EXPECT_EQ(locator->GetLevel(), 5);
+  EXPECT_EQ(locator->GetNumberOfBuckets(), 4 * 7 + 8);
+  EXPECT_EQ(locator->GetStartDepth(), 3);
+  locator->SetStartDepthModel(Class::Mean);
+  EXPECT_EQ(locator->GetStartDepth(), 3);
+  locator->SetFrequencyModel(Class::Points);
+  EXPECT_EQ(locator->GetStartDepth(), 4); // (1 + 5 + 5) / 3, rounded.
+  locator->SetStartDepthModel(Class::Median);
+  EXPECT_EQ(locator->GetStartDepth(), 5);
+  locator->SetFrequencyModel(Class::Grid);
+  EXPECT_EQ(locator->GetStartDepth(), 1);
+  locator->SetStartDepthModel(Class::Root);
+  EXPECT_EQ(locator->GetStartDepth(), 0);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, TellsOfItsTree)
+{
+  const std::vector<float> coordinates = MakeUniformPoints<3, float>(10000, 31, -3.0, 5.0);
+  const auto cloud = MakePointCloud(coordinates);
+  TestedLocator locator(cloud);
+  locator->BuildLocator();
+  double bounds[6];
+  locator->GetBounds(bounds);
+  for (int i = 0; i < 6; ++i)
+  {
+    EXPECT_EQ(bounds[i], cloud->GetBounds()[i]);
+    EXPECT_EQ(locator->GetBounds()[i], bounds[i]);
+  }
+  EXPECT_GT(locator->GetNumberOfBuckets(), 10000 / 16);
+  EXPECT_GT(locator->GetLevel(), 2);
+  EXPECT_LT(locator->GetLevel(), 10);
+  EXPECT_GE(locator->GetIndexBytes(), 10000 * 16); // Coordinates and ids at least.
+  EXPECT_LE(locator->GetIndexBytes(), 10000 * 64);
+
+  locator->SetMaxDepth(2);
+  locator->BuildLocator();
+  EXPECT_EQ(locator->GetLevel(), 2);
+  EXPECT_EQ(locator->GetNumberOfBuckets(), 64);
+  locator->SetMaxLevel(0);
+  locator->BuildLocator();
+  EXPECT_EQ(locator->GetLevel(), 0);
+  EXPECT_EQ(locator->GetNumberOfBuckets(), 1);
+  EXPECT_EQ(locator->FindClosestPoint(cloud->GetPoint(77)), 77);
+
+  locator->FreeSearchStructure();
+  EXPECT_EQ(locator->GetIndexBytes(), 0);
+  EXPECT_EQ(locator->GetNumberOfBuckets(), 0);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, ANewInstanceWorks)
+{
+  vtkNew<vtkHashedOctreePointLocator> first;
+  const auto second = vtk::TakeSmartPointer(first->NewInstance());
+  const auto cloud = MakePointCloud<float>({ 0, 0, 0, 1, 0, 0 });
+  second->SetDataSet(cloud);
+  second->Modified();
+  EXPECT_EQ(second->FindClosestPoint(0.9, 0, 0), 1);
+  EXPECT_STREQ(second->GetClassName(), "vtkHashedOctreePointLocator");
+  EXPECT_TRUE(second->IsA("vtkAbstractPointLocator"));
+}
+
+TEST(TestHashedOctreePointLocatorBuild, PrintsItsProperties)
+{
+  vtkNew<vtkHashedOctreePointLocator> locator;
+  locator->SetMaxPointsPerLeaf(12345);
+  std::ostringstream text;
+  locator->Print(text);
+  for (const char* words : { "MaxPointsPerLeaf: 12345", "MaxDepth: 21", "FrequencyModel: 0",
+         "StartDepthModel: 0", "FixedStartDepth: 0", "StartDepth: 0", "IndexBytes: 0", "DataSet" })
+  {
+    EXPECT_NE(text.str().find(words), std::string::npos) << words;
+  }
+}
+
+TEST(TestHashedOctreePointLocatorBuild, ALoopWithItsPointSetIsCollected)
+{
+  vtkWeakPointer<vtkHashedOctreePointLocator> locator;
+  vtkWeakPointer<vtkPolyData> cloud;
+  {
+    const auto data = MakePointCloud<float>({ 0, 0, 0, 1, 0, 0 });
+    vtkNew<vtkHashedOctreePointLocator> own;
+    own->SetDataSet(data);
+    data->SetPointLocator(own);
+    EXPECT_EQ(data->FindPoint(0.9, 0, 0), 1);
+    locator = own.Get();
+    cloud = data.Get();
+  }
+  EXPECT_EQ(locator.GetPointer(), nullptr);
+  EXPECT_EQ(cloud.GetPointer(), nullptr);
+}

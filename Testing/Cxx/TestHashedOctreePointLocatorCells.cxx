@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The representation of the tree.
+#include "PointSamples.h"
+#include "TestedLocator.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkSpatialRepresentationFilter.h"
+
+#include <cmath>
+
+namespace
+{
+/** The side of the root, and where it begins. */
+struct Root
+{
+  double Lower[3];
+  double Side;
+
+  explicit Root(const double* bounds)
+    : Lower{ bounds[0], bounds[2], bounds[4] }
+    , Side(std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }))
+  {
+    this->Side = this->Side > 0.0 ? this->Side : 1.0;
+  }
+};
+
+/** Whether a box holds a point; with room for the rounding of corners. */
+bool Holds(const double* box, const double* x, double slack)
+{
+  bool holds = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    holds = holds && x[axis] >= box[2 * axis] - slack && x[axis] <= box[2 * axis + 1] + slack;
+  }
+  return holds;
+}
+
+/** The cells must be cubes of the grid at their depth, and hold the points that they count. */
+void ExpectNodes(vtkPolyData* cells, vtkDataSet* cloud, int level)
+{
+  vtkDataArray* depths = cells->GetCellData()->GetArray("Depth");
+  vtkDataArray* counts = cells->GetCellData()->GetArray("PointCount");
+  ASSERT_TRUE(depths && counts);
+  EXPECT_EQ(cells->GetCellData()->GetScalars(), depths);
+  ASSERT_EQ(depths->GetNumberOfTuples(), cells->GetNumberOfCells());
+  for (const char* name : { "HitCost", "RootCost", "MortonKey" })
+  {
+    EXPECT_NE(cells->GetCellData()->GetArray(name), nullptr) << name;
+  }
+  const Root root(cloud->GetBounds());
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    const int depth = static_cast<int>(depths->GetTuple1(cell));
+    ASSERT_TRUE(level < 0 || depth == level);
+    const double side = std::ldexp(root.Side, -depth);
+    const double slack = 1e-9 * root.Side;
+    double box[6];
+    cells->GetCellBounds(cell, box);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_NEAR(box[2 * axis + 1] - box[2 * axis], side, slack);
+      const double place = (box[2 * axis] - root.Lower[axis]) / side;
+      ASSERT_NEAR(place, std::round(place), 1e-6);
+    }
+    vtkIdType inside = 0;
+    for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+    {
+      inside += Holds(box, cloud->GetPoint(i), slack) ? 1 : 0;
+    }
+    ASSERT_GE(inside, static_cast<vtkIdType>(counts->GetTuple1(cell)));
+    ASSERT_GT(counts->GetTuple1(cell), 0.0);
+  }
+}
+
+vtkIdType SumPoints(vtkPolyData* cells)
+{
+  vtkDataArray* counts = cells->GetCellData()->GetArray("PointCount");
+  vtkIdType sum = 0;
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    sum += static_cast<vtkIdType>(counts->GetTuple1(i));
+  }
+  return sum;
+}
+}
+
+TEST(TestHashedOctreePointLocatorCells, EveryLevelHasItsNodes)
+{
+  for (const auto& coordinates :
+    { MakeUniformPoints<3, double>(500, 51), MakeClusteredPoints<3, double>(300, 52) })
+  {
+    const auto cloud = MakePointCloud(coordinates);
+    TestedLocator locator(cloud);
+    locator->SetMaxPointsPerLeaf(2);
+    vtkNew<vtkPolyData> cells;
+    for (int level = 0; level == 0 || level <= locator->GetLevel(); ++level)
+    {
+      SCOPED_TRACE(level);
+      locator->GenerateRepresentation(level, cells);
+      ASSERT_GT(cells->GetNumberOfCells(), 0);
+      ExpectNodes(cells, cloud, level);
+      const vtkIdType sum = SumPoints(cells);
+      EXPECT_LE(sum, cloud->GetNumberOfPoints());
+      EXPECT_TRUE(level > 1 || sum == cloud->GetNumberOfPoints());
+    }
+    locator->GenerateRepresentation(0, cells);
+    EXPECT_EQ(cells->GetNumberOfCells(), 1);
+    locator->GenerateRepresentation(locator->GetLevel() + 1, cells);
+    EXPECT_EQ(cells->GetNumberOfCells(), 0);
+    locator->GenerateRepresentation(1000, cells);
+    EXPECT_EQ(cells->GetNumberOfCells(), 0);
+  }
+}
+
+TEST(TestHashedOctreePointLocatorCells, LeavesHoldAllPointsOnce)
+{
+  for (const auto& coordinates :
+    { MakeUniformPoints<3, double>(500, 53), MakeClusteredPoints<3, double>(300, 54) })
+  {
+    const auto cloud = MakePointCloud(coordinates);
+    TestedLocator locator(cloud);
+    vtkNew<vtkPolyData> cells;
+    locator->GenerateRepresentation(-1, cells);
+    ExpectNodes(cells, cloud, -1);
+    EXPECT_EQ(SumPoints(cells), cloud->GetNumberOfPoints());
+    EXPECT_LE(cells->GetNumberOfCells(), locator->GetNumberOfBuckets());
+  }
+}
+
+TEST(TestHashedOctreePointLocatorCells, WithoutPointsThereIsNothing)
+{
+  TestedLocator locator(MakePointCloud<float>({}));
+  const auto cells = MakePointCloud<float>({ 1, 2, 3 }); // To be replaced.
+  for (const int level : { -1, 0, 1 })
+  {
+    locator->GenerateRepresentation(level, cells);
+    EXPECT_EQ(cells->GetNumberOfCells(), 0);
+    EXPECT_EQ(cells->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST(TestHashedOctreePointLocatorCells, OnePointHasARoot)
+{
+  const auto cloud = MakePointCloud<float>({ 1, 2, 3 });
+  TestedLocator locator(cloud);
+  vtkNew<vtkPolyData> cells;
+  for (const int level : { -1, 0 })
+  {
+    locator->GenerateRepresentation(level, cells);
+    EXPECT_EQ(cells->GetNumberOfCells(), 1);
+    ExpectNodes(cells, cloud, level);
+  }
+}
+
+TEST(TestHashedOctreePointLocatorCells, ShownBySpatialRepresentationFilter)
+{
+  const auto cloud = MakePointCloud(MakeUniformPoints<3, double>(500, 55));
+  vtkNew<vtkHashedOctreePointLocator> locator;
+  vtkNew<vtkSpatialRepresentationFilter> filter;
+  filter->SetInputData(cloud);
+  filter->SetSpatialRepresentation(locator);
+  filter->GenerateLeavesOn();
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  const int deepest = locator->GetLevel();
+  for (int level = 0; level <= deepest; ++level)
+  {
+    filter->AddLevel(level);
+  }
+  filter->Update();
+  EXPECT_EQ(filter->GetMaximumLevel(), deepest);
+  // A block for each level, and one for the leaves.
+  vtkMultiBlockDataSet* output = filter->GetOutput();
+  ASSERT_EQ(static_cast<int>(output->GetNumberOfBlocks()), deepest + 2);
+  vtkNew<vtkPolyData> expected;
+  for (int level = 0; level <= deepest + 1; ++level)
+  {
+    locator->GenerateRepresentation(level <= deepest ? level : -1, expected);
+    auto* cells = vtkPolyData::SafeDownCast(output->GetBlock(static_cast<unsigned>(level)));
+    ASSERT_NE(cells, nullptr) << level;
+    EXPECT_GT(cells->GetNumberOfCells(), 0) << level;
+    EXPECT_EQ(cells->GetNumberOfCells(), expected->GetNumberOfCells()) << level;
+  }
+}

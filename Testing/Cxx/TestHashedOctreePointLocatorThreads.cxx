@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Queries from many threads at once, and builds on many.
+#include "PointSamples.h"
+#include "Sanitized.h"
+#include "TestedLocator.h"
+
+#include "vtkSMPTools.h"
+
+#include <atomic>
+#include <thread>
+
+namespace
+{
+struct Answers
+{
+  vtkIdType Closest;
+  vtkIdType ClosestWithin;
+  double Dist2;
+  TestedLocator::Ids Few;
+  TestedLocator::Ids Within;
+
+  bool operator==(const Answers& other) const
+  {
+    return this->Closest == other.Closest && this->ClosestWithin == other.ClosestWithin &&
+      this->Dist2 == other.Dist2 && this->Few == other.Few && this->Within == other.Within;
+  }
+};
+
+/** One query of each kind; the order of the points within a radius counts, too. */
+Answers Ask(vtkHashedOctreePointLocator* locator, const double* x, vtkIdList* list)
+{
+  Answers answers{ -2, -2, -2.0, {}, {} };
+  answers.Closest = locator->FindClosestPoint(x);
+  answers.ClosestWithin = locator->FindClosestPointWithinRadius(0.02, x, answers.Dist2);
+  locator->FindClosestNPoints(8, x, list);
+  answers.Few.assign(list->begin(), list->end());
+  locator->FindPointsWithinRadius(0.1, x, list);
+  answers.Within.assign(list->begin(), list->end());
+  return answers;
+}
+}
+
+TEST(TestHashedOctreePointLocatorThreads, ManyThreadsGetTheAnswersOfOne)
+{
+  const std::size_t numberOfQueries = Sanitized ? 300 : 3000;
+  const auto cloud = MakePointCloud(MakeClusteredPoints<3, float>(5000, 41));
+  const std::vector<double> queries = MakeUniformPoints<3, double>(numberOfQueries, 42, 0.2, 1.1);
+  TestedLocator locator(cloud);
+  locator->BuildLocator();
+  std::vector<Answers> expected;
+  vtkNew<vtkIdList> list;
+  for (std::size_t i = 0; i < numberOfQueries; ++i)
+  {
+    expected.push_back(Ask(locator.Get(), &queries[3 * i], list));
+  }
+
+  for (const unsigned numberOfThreads : { 1U, 2U, 8U })
+  {
+    std::atomic<std::size_t> wrong{ 0 };
+    std::vector<std::thread> threads;
+    for (unsigned thread = 0; thread < numberOfThreads; ++thread)
+    {
+      threads.emplace_back(
+        [&, thread]
+        {
+          vtkNew<vtkIdList> own;
+          for (std::size_t i = 0; i < numberOfQueries; ++i)
+          {
+            // All threads ask everything, each from another place on.
+            const std::size_t query = (i + thread * 37) % numberOfQueries;
+            wrong += Ask(locator.Get(), &queries[3 * query], own) == expected[query] ? 0U : 1U;
+          }
+        });
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+    EXPECT_EQ(wrong, 0U) << numberOfThreads << " threads";
+  }
+}
+
+TEST(TestHashedOctreePointLocatorThreads, QueriesInsideVtkSMPTools)
+{
+  const auto cloud = MakePointCloud(MakeUniformPoints<3, double>(20000, 43));
+  TestedLocator locator(cloud);
+  locator->BuildLocator();
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(4);
+  std::atomic<vtkIdType> found{ 0 };
+  vtkSMPTools::For(0, cloud->GetNumberOfPoints(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        double x[3];
+        cloud->GetPoint(i, x);
+        found += locator->FindClosestPoint(x) == i ? 1 : 0;
+      }
+    });
+  EXPECT_EQ(found, cloud->GetNumberOfPoints());
+  vtkSMPTools::Initialize(0);
+}
+
+TEST(TestHashedOctreePointLocatorThreads, TheTreeDoesNotDependOnTheThreadsThatBuiltIt)
+{
+  const auto cloud = MakePointCloud(MakeClusteredPoints<3, double>(100000, 44));
+  const std::vector<double> queries = MakeUniformPoints<3, double>(100, 45, 0.2, 1.1);
+  std::vector<Answers> expected;
+  vtkNew<vtkIdList> list;
+  for (const int numberOfThreads : { 1, 2, 8 })
+  {
+    vtkSMPTools::SetBackend("STDThread");
+    vtkSMPTools::Initialize(numberOfThreads);
+    TestedLocator locator(cloud);
+    std::vector<Answers> answers;
+    for (std::size_t i = 0; i < 100; ++i)
+    {
+      answers.push_back(Ask(locator.Get(), &queries[3 * i], list));
+    }
+    expected = expected.empty() ? answers : expected;
+    EXPECT_TRUE(answers == expected) << numberOfThreads << " threads";
+  }
+  vtkSMPTools::Initialize(0);
+}

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Cxx_TestedLocator_h
+#define Testing_Cxx_TestedLocator_h
+
+#include "BruteForceSearch.h"
+#include "vtkHashedOctreePointLocator.h"
+
+#include "vtkCommand.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+/** Points alone, of the type of their coordinates, three for each. */
+template <typename Real>
+vtkSmartPointer<vtkPolyData> MakePointCloud(const std::vector<Real>& coordinates)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(std::is_same<Real, float>::value ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(coordinates.size() / 3));
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    const Real* x = coordinates.data() + 3 * i;
+    points->SetPoint(
+      i, static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
+  }
+  auto cloud = vtkSmartPointer<vtkPolyData>::New();
+  cloud->SetPoints(points);
+  return cloud;
+}
+
+/** The locator, and all that it says. What no test has asked for is a failure at the end. */
+class TestedLocator
+{
+public:
+  using Ids = std::vector<std::int64_t>;
+  using Position = hashedoctree::Position<3>;
+
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+  explicit TestedLocator(vtkDataSet* dataSet = nullptr)
+  {
+    this->Locator->AddObserver(vtkCommand::ErrorEvent, this, &TestedLocator::AddError);
+    this->Locator->AddObserver(vtkCommand::WarningEvent, this, &TestedLocator::AddWarning);
+    this->Locator->SetDataSet(dataSet);
+  }
+  TestedLocator(const TestedLocator&) = delete;
+  void operator=(const TestedLocator&) = delete;
+  ~TestedLocator()
+  {
+    EXPECT_EQ(this->Errors, std::vector<std::string>());
+    EXPECT_EQ(this->Warnings, std::vector<std::string>());
+  }
+
+  vtkHashedOctreePointLocator* operator->() { return this->Locator; }
+  vtkHashedOctreePointLocator* Get() { return this->Locator; }
+
+  /** There must have been one warning, about this many points that are not finite. */
+  void ExpectWarningOfSkippedPoints(std::size_t skipped)
+  {
+    ASSERT_EQ(this->Warnings.size(), 1U);
+    const std::string words = std::to_string(skipped) + " of ";
+    EXPECT_NE(this->Warnings[0].find(words), std::string::npos) << this->Warnings[0];
+    this->Warnings.clear();
+  }
+
+  Ids FindClosest(int count, const Position& x)
+  {
+    this->MakeListDirty();
+    this->Locator->FindClosestNPoints(count, x.data(), this->List);
+    return this->GetList();
+  }
+  /** Sorted by id. */
+  Ids FindWithin(double radius, const Position& x)
+  {
+    this->MakeListDirty();
+    this->Locator->FindPointsWithinRadius(radius, x.data(), this->List);
+    Ids ids = this->GetList();
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  }
+
+  /** Every query must find nothing, whatever it is asked. */
+  void ExpectToFindNothing()
+  {
+    for (const Position& x : { Position{ 0, 0, 0 }, Position{ 1e30, -3, 5 } })
+    {
+      EXPECT_EQ(this->Locator->FindClosestPoint(x.data()), -1);
+      for (const double radius : { 0.0, 1.0, 1e300, std::numeric_limits<double>::infinity() })
+      {
+        double dist2 = 77.0;
+        EXPECT_EQ(this->Locator->FindClosestPointWithinRadius(radius, x.data(), dist2), -1);
+        EXPECT_EQ(dist2, 77.0);
+        EXPECT_EQ(this->FindWithin(radius, x), Ids());
+      }
+      for (const int count : { -1, 0, 1, 5, VTK_INT_MAX })
+      {
+        EXPECT_EQ(this->FindClosest(count, x), Ids());
+      }
+    }
+  }
+
+  /** Every query at x must answer as the oracle does; `all` is its FindAll() there. */
+  void ExpectAnswers(
+    const Position& x, const std::vector<OracleFound>& all, const std::vector<double>& radii)
+  {
+    ASSERT_EQ(this->Locator->FindClosestPoint(x.data()), all.empty() ? -1 : all[0].Id);
+    for (const int count : { -3, 0, 1, 2, 8, 40 })
+    {
+      ASSERT_EQ(
+        this->FindClosest(count, x), GetIds(all, static_cast<std::size_t>(std::max(count, 0))))
+        << count << " closest";
+    }
+    for (const double radius : radii)
+    {
+      const std::size_t within = CountWithin(all, radius);
+      Ids ids = GetIds(all, within);
+      std::sort(ids.begin(), ids.end());
+      ASSERT_EQ(this->FindWithin(radius, x), ids) << "radius " << radius;
+      double dist2 = 77.0;
+      ASSERT_EQ(this->Locator->FindClosestPointWithinRadius(radius, x.data(), dist2),
+        within > 0 ? all[0].Id : -1)
+        << "radius " << radius;
+      ASSERT_EQ(dist2, within > 0 ? all[0].Dist2 : 77.0) << "radius " << radius;
+    }
+  }
+
+private:
+  /** No query may keep anything of what was in the list before. */
+  void MakeListDirty()
+  {
+    this->List->Reset();
+    this->List->InsertNextId(123456);
+    this->List->InsertNextId(-1);
+  }
+  Ids GetList() const { return Ids(this->List->begin(), this->List->end()); }
+
+  void AddError(vtkObject*, unsigned long, void* text) { Add(this->Errors, text); }
+  void AddWarning(vtkObject*, unsigned long, void* text) { Add(this->Warnings, text); }
+  static void Add(std::vector<std::string>& texts, const void* text)
+  {
+    texts.emplace_back(static_cast<const char*>(text));
+  }
+
+  vtkNew<vtkHashedOctreePointLocator> Locator;
+  vtkNew<vtkIdList> List;
+};
+
+#endif

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The locator's proxy against its class, and in the interpolators that offer it."""
+import octreetesting  # loads the plugin
+import numpy
+from hashedoctree import vtkHashedOctreePointLocator
+from paraview import servermanager, simple
+
+ENUMERATIONS = {
+    "FrequencyModel": ["Leaves", "Points", "Grid"],
+    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
+}
+PROPERTIES = ["MaxPointsPerLeaf", "MaxDepth", "FixedStartDepth"] + list(ENUMERATIONS)
+proxy = servermanager.ProxyManager().NewProxy("point_locators", "HashedOctreePointLocator")
+
+# Every property of the class is one of the proxy, and no others.
+own = set(dir(vtkHashedOctreePointLocator)) - set(dir(vtkHashedOctreePointLocator.__bases__[0]))
+assert {name[3:] for name in own if name.startswith("Set")} == set(PROPERTIES), own
+iterator = proxy.NewPropertyIterator()
+names = set()
+while not iterator.IsAtEnd():
+    names.add(iterator.GetKey())
+    iterator.Next()
+assert names == set(PROPERTIES), names
+
+for name in PROPERTIES:
+    locator = vtkHashedOctreePointLocator()
+    property_ = proxy.GetProperty(name)
+    assert property_.GetElement(0) == getattr(locator, "Get" + name)(), name
+    text = property_.GetDocumentation().GetDescription()
+    assert text and len(text.strip()) > 20, name
+    if name in ENUMERATIONS:
+        domain = property_.FindDomain("vtkSMEnumerationDomain")
+        entries = {domain.GetEntryText(i): domain.GetEntryValue(i)
+                   for i in range(domain.GetNumberOfEntries())}
+        assert entries == {text: getattr(vtkHashedOctreePointLocator, text)
+                           for text in ENUMERATIONS[name]}, (name, entries)
+        continue
+    # What the domain does not allow, the class clamps.
+    domain = property_.FindDomain("vtkSMIntRangeDomain")
+    for exists, limit, beyond in ((domain.GetMinimumExists(0), domain.GetMinimum(0), -2**31),
+                                  (domain.GetMaximumExists(0), domain.GetMaximum(0), 2**31 - 1)):
+        getattr(locator, "Set" + name)(beyond)
+        value = getattr(locator, "Get" + name)()
+        assert value == (limit if exists else beyond), (name, value)
+
+# All interpolators offer it, after ParaView's own, which stays the default.
+wavelet = simple.Wavelet(WholeExtent=[-5, 5] * 3)
+target = simple.Sphere(Radius=4.0, Center=[0.1234, 0.2345, 0.3456], ThetaResolution=30)
+INTERPOLATORS = [kind + shape + "Interpolator" for kind in ("Point", "SPH")
+                 for shape in ("Dataset", "Line", "Plane", "Volume")]
+LOCATORS = ["StaticPointLocator", "HashedOctreePointLocator"]
+for name in INTERPOLATORS:
+    filter_ = servermanager._getPyProxy(servermanager.ProxyManager().NewProxy("filters", name))
+    filter_.SMProxy.ResetPropertiesToDefault()
+    property_ = filter_.SMProxy.GetProperty("Locator")
+    domain = property_.FindDomain("vtkSMProxyListDomain")
+    offered = [domain.GetProxy(i).GetXMLName() for i in range(domain.GetNumberOfProxies())]
+    assert offered == LOCATORS, (name, offered)
+    assert property_.GetProxy(0).GetXMLName() == LOCATORS[0], name
+
+
+def interpolate(kernel, locator, values=None):
+    filter_ = simple.PointDatasetInterpolator(Input=wavelet, Source=target)
+    filter_.Kernel = kernel
+    filter_.Locator = locator
+    for name, value in (values or {}).items():
+        setattr(filter_.Locator, name, value)
+    filter_.UpdatePipeline()
+    used = filter_.GetClientSideObject().GetLocator()
+    output = octreetesting.fetch(filter_, 0)
+    return used, octreetesting.arrays(output.GetPointData())
+
+
+for kernel in ("VoronoiKernel", "GaussianKernel", "ShepardKernel"):
+    used, expected = interpolate(kernel, "Static Point Locator")
+    assert used.GetClassName() == "vtkStaticPointLocator", used
+    for values in ({}, {"StartDepthModel": "Fixed", "FixedStartDepth": 2, "MaxPointsPerLeaf": 3}):
+        used, actual = interpolate(kernel, "Hashed Octree Point Locator", values)
+        assert used.GetClassName() == "vtkHashedOctreePointLocator", used
+        assert used.GetStartDepth() == 2 or not values, used
+        assert used.GetLevel() > 0
+        assert "RTData" in expected and set(actual) == set(expected), (set(actual), set(expected))
+        for name, array in expected.items():
+            assert array.size > 0 and numpy.allclose(array, actual[name], rtol=1e-5), (kernel, name)
