@@ -62,6 +62,9 @@ function (hashedoctree_add_python_test name)
     "OMPI_MCA_rmaps_base_oversubscribe=1")
   set_tests_properties("${name}" PROPERTIES
     LABELS python ENVIRONMENT "${environment}" TIMEOUT 300)
+  if (arg_DISPLAY) # two xvfb-run at a time may take each other's display
+    set_tests_properties("${name}" PROPERTIES RESOURCE_LOCK display)
+  endif ()
   if (arg_SERVER OR arg_RANKS)
     set_tests_properties("${name}" PROPERTIES PROCESSORS 2)
   endif ()
