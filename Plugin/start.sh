@@ -66,7 +66,7 @@ show_in_paraview() {
 }
 
 write_pictures() {
-  xvfb-run -a -s '-screen 0 1920x1200x24' pvpython "$root/Plugin/Demo/demo.py" \
+  "$root/Plugin/with_display.sh" pvpython "$root/Plugin/Demo/demo.py" \
     --batch --plugin "$plugin" --output "$demo" 2>"$log" || fail_with_log
   echo "Pictures and tables are in $demo"
 }

@@ -47,7 +47,7 @@ void AddLeaf(const Octree<Dim>& tree, const typename Octree<Dim>::Node& leaf, Su
 template <int Dim>
 MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
 {
-  constexpr std::size_t chunkSize = 256; // Blocks, of up to 2^Dim leaves each.
+  constexpr std::size_t chunkSize = 128; // Blocks, of up to 2^Dim leaves each.
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   std::vector<Sums<Dim>> sums((numberOfBlocks + chunkSize - 1) / chunkSize + 1);
   if (!tree.IsRootInternal())

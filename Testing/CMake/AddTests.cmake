@@ -37,8 +37,7 @@ function (hashedoctree_add_python_test name)
   set(script "${CMAKE_CURRENT_SOURCE_DIR}/Python/${name}.py")
   set(command "$<TARGET_FILE:ParaView::pvpython>" --dr)
   if (arg_DISPLAY)
-    find_program(XVFB_RUN xvfb-run REQUIRED) # Debian: xvfb xauth
-    list(PREPEND command "${XVFB_RUN}" -a -s "-screen 0 1280x1024x24")
+    list(PREPEND command "${PROJECT_SOURCE_DIR}/Plugin/with_display.sh") # needs Debian's xvfb
   elseif (arg_PLAIN)
     set(command "${Python3_EXECUTABLE}")
   elseif (arg_SERVER)
@@ -62,9 +61,6 @@ function (hashedoctree_add_python_test name)
     "OMPI_MCA_rmaps_base_oversubscribe=1")
   set_tests_properties("${name}" PROPERTIES
     LABELS python ENVIRONMENT "${environment}" TIMEOUT 300)
-  if (arg_DISPLAY) # two xvfb-run at a time may take each other's display
-    set_tests_properties("${name}" PROPERTIES RESOURCE_LOCK display)
-  endif ()
   if (arg_SERVER OR arg_RANKS)
     set_tests_properties("${name}" PROPERTIES PROCESSORS 2)
   endif ()

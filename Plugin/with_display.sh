@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Runs a command with a virtual display of its own.
+#   Plugin/with_display.sh COMMAND [ARGUMENT ...]
+# Not xvfb-run: its Xvfb starts anew whenever the last window closes, and refuses the next one
+# meanwhile; and two of them at a time may take the same display.
+set -euo pipefail
+
+exec {numbers}< <(exec Xvfb -displayfd 1 -noreset -nolisten tcp -screen 0 1920x1200x24 2>/dev/null)
+server=$!
+trap 'kill "$server" 2>/dev/null' EXIT
+read -r -u "$numbers" number || {
+  echo "error: Xvfb did not start; is the package xvfb installed?" >&2
+  exit 1
+}
+DISPLAY=":$number" "$@"
