@@ -17,6 +17,7 @@
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkTypeUInt64Array.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace hashedoctree
@@ -130,8 +131,13 @@ void OctreeCells::FillVoxels(
   const NodeCorners<3> corners(nodes, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
   output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.8, 0.9)));
   vtkNew<vtkCellArray> cells;
-  SetCells(cells.Get(), nodes.GetSize(), size, connectivity.Get(), execution.Part(0.9, 1.0));
-  output->SetCells(VTK_VOXEL, cells);
+  SetCells(cells.Get(), nodes.GetSize(), size, connectivity.Get(), execution.Part(0.9, 0.95));
+  // Not SetCells(VTK_VOXEL, cells), which fills the types without heeding an abort.
+  vtkNew<vtkUnsignedCharArray> types;
+  Resize(types.Get(), nodes.GetSize());
+  ForEach(nodes.GetSize(), execution.Part(0.95, 1.0),
+    [&types](std::size_t i) { types->SetValue(static_cast<vtkIdType>(i), VTK_VOXEL); });
+  output->SetCells(types, cells);
 }
 
 template <typename IdArray>
