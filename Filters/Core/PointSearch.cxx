@@ -17,7 +17,6 @@ public:
     : Best{ radius2, None }
   {
   }
-  static constexpr std::size_t Wanted = 1;
   /** Points farther than this are of no use. */
   double GetBound2() const { return this->Best.Dist2; }
   void Add(double dist2, std::uint32_t id)
