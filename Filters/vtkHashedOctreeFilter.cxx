@@ -205,18 +205,10 @@ private:
 
   int GetStartDepth(const DepthCounts& counts, hashedoctree::FrequencyModel model) const
   {
-    const DepthHistogram histogram = GetDepthHistogram(counts, model, 3);
-    switch (this->Self->StartDepthModel)
-    {
-      case Mean:
-        return GetMeanDepth(histogram);
-      case Root:
-        return 0;
-      case Fixed:
-        return this->Self->FixedStartDepth;
-      default:
-        return GetMedianDepth(histogram);
-    }
+    const StartDepthOptions options{ static_cast<hashedoctree::StartDepthModel>(
+                                       this->Self->StartDepthModel),
+      model, this->Self->FixedStartDepth };
+    return hashedoctree::GetStartDepth(GetDepthHistogram(counts, model, 3), options);
   }
 
   void AddFieldData(vtkFieldData* fieldData, const Tree& tree, int startDepth) const

@@ -66,12 +66,11 @@ private:
 };
 }
 
-/** The tree over the points, in the precision that they came in, and where its searches start. */
+/** The tree over the points, in the precision that they came in. */
 class vtkHashedOctreePointLocator::Index
 {
 public:
   std::variant<PointTree<3, float>, PointTree<3, double>> Points;
-  int StartDepth = 0;
 
   /** Calls function(tree). */
   template <typename Function>
@@ -83,32 +82,17 @@ public:
   template <typename Function>
   auto Search(const Function& function) const
   {
-    return this->Visit([this, &function](const auto& tree)
-      { return function(PointSearch(tree, this->StartDepth)); });
+    return this->Visit([&function](const auto& tree) { return function(PointSearch(tree)); });
   }
   const Octree<3>& GetOctree() const
   {
     return this->Visit([](const auto& tree) -> const Octree<3>& { return tree.GetOctree(); });
   }
 
-  void ChooseStartDepth(int startDepthModel, int frequencyModel, int fixedStartDepth)
+  const StartDepths<3>& GetStartDepths() const
   {
-    const DepthHistogram histogram = GetDepthHistogram(this->GetOctree().GetDepthCounts(),
-      static_cast<hashedoctree::FrequencyModel>(frequencyModel), 3);
-    switch (startDepthModel)
-    {
-      case Mean:
-        this->StartDepth = GetMeanDepth(histogram);
-        break;
-      case Root:
-        this->StartDepth = 0;
-        break;
-      case Fixed:
-        this->StartDepth = fixedStartDepth;
-        break;
-      default:
-        this->StartDepth = GetMedianDepth(histogram);
-    }
+    return this->Visit(
+      [](const auto& tree) -> const StartDepths<3>& { return tree.GetStartDepths(); });
   }
 };
 
@@ -138,7 +122,7 @@ void vtkHashedOctreePointLocator::SetFrequencyModel(int model)
 void vtkHashedOctreePointLocator::SetStartDepthModel(int model)
 {
   this->SetStartDepthProperty(this->StartDepthModel,
-    std::clamp<int>(model, StartDepthModels::Median, StartDepthModels::Fixed));
+    std::clamp<int>(model, StartDepthModels::Median, StartDepthModels::Local));
 }
 
 void vtkHashedOctreePointLocator::SetFixedStartDepth(int depth)
@@ -157,8 +141,7 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
   this->Modified();
   if (this->Tree)
   {
-    this->Tree->ChooseStartDepth(
-      this->StartDepthModel, this->FrequencyModel, this->FixedStartDepth);
+    this->ChooseStartDepths();
   }
   if (wasUpToDate)
   {
@@ -244,7 +227,15 @@ void vtkHashedOctreePointLocator::FillIndex()
     this->Level = octree.GetDeepestDepth();
     this->NumberOfBuckets = static_cast<vtkIdType>(octree.GetNumberOfLeaves());
   }
-  this->Tree->ChooseStartDepth(this->StartDepthModel, this->FrequencyModel, this->FixedStartDepth);
+  this->ChooseStartDepths();
+}
+
+void vtkHashedOctreePointLocator::ChooseStartDepths()
+{
+  const StartDepthOptions options{ static_cast<hashedoctree::StartDepthModel>(
+                                     this->StartDepthModel),
+    static_cast<hashedoctree::FrequencyModel>(this->FrequencyModel), this->FixedStartDepth };
+  std::visit([&options](auto& tree) { tree.SetStartDepths(options); }, this->Tree->Points);
 }
 
 void vtkHashedOctreePointLocator::FreeSearchStructure()
@@ -323,7 +314,8 @@ void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData*
   pd->Initialize();
   try
   {
-    OctreeCells(index.GetOctree(), index.StartDepth, options).MakeOutlines(pd, MakeExecution());
+    OctreeCells(index.GetOctree(), index.GetStartDepths().GetOfTree(), options)
+      .MakeOutlines(pd, MakeExecution());
   }
   catch (const std::bad_alloc&)
   {
@@ -334,7 +326,7 @@ void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData*
 
 int vtkHashedOctreePointLocator::GetStartDepth() const
 {
-  return this->Tree ? this->Tree->StartDepth : 0;
+  return this->Tree ? this->Tree->GetStartDepths().GetOfTree() : 0;
 }
 
 vtkIdType vtkHashedOctreePointLocator::GetIndexBytes() const

@@ -29,8 +29,9 @@
  * - Lists are always reset first. A squared distance is set exactly when a point is found.
  * - Points with a coordinate that is not finite are never found; each build that meets some says
  *   so in one warning with their number.
- * - One point, points that are all equal, few points far from many: all as above. Points closer
- *   together than 2^-MaxDepth of the data's extent share a leaf, in which each is looked at.
+ * - One point, points that are all equal, few points far from many: all as above. No search looks
+ *   at all points unless they are at one place: leaves at depth 21 with more points than they may
+ *   hold have trees of their own. (With a smaller MaxDepth leaves are as large as was asked for.)
  *
  * Every query builds the tree first if it must: when there is none, or when the locator or the data
  * set was modified after the last build (and UseExistingSearchStructure is off). So the data set
@@ -76,17 +77,19 @@ public:
   };
 
   /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
-   * the nearest depth, at the root, or at FixedStartDepth. */
+   * the nearest depth, at the root (the classical search, from there down), at FixedStartDepth, or
+   * at the weighted median of the leaves near the position: those in the same one of 4096 cells. */
   enum StartDepthModels
   {
     Median = 0,
     Mean = 1,
     Root = 2,
-    Fixed = 3
+    Fixed = 3,
+    Local = 4
   };
 
   ///@{
-  /** Points that a leaf above MaxDepth may hold. At least 1; default 16. */
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 32. */
   vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaxPointsPerLeaf, int);
   ///@}
@@ -154,7 +157,8 @@ public:
    */
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 
-  /** The depth at which searches start, by the properties above; 0 before the first build. */
+  /** The depth at which searches start, by the properties above; of Local the median of all leaves.
+   * 0 before the first build. */
   int GetStartDepth() const;
 
   /** Bytes of the whole search structure, copied coordinates included; 0 before the first build. */
@@ -181,8 +185,9 @@ private:
   bool IsUpToDate();
   void FillIndex();
   void SetStartDepthProperty(int& property, int value);
+  void ChooseStartDepths();
 
-  int MaxPointsPerLeaf = 16;
+  int MaxPointsPerLeaf = 32;
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;

@@ -76,6 +76,21 @@ int GetMeanDepth(const DepthHistogram& histogram)
   return total > 0.0 ? static_cast<int>(std::floor(sum / total + 0.5)) : 0;
 }
 
+int GetStartDepth(const DepthHistogram& histogram, const StartDepthOptions& options)
+{
+  switch (options.Model)
+  {
+    case StartDepthModel::Mean:
+      return GetMeanDepth(histogram);
+    case StartDepthModel::Root:
+      return 0;
+    case StartDepthModel::Fixed:
+      return options.Fixed;
+    default:
+      return GetMedianDepth(histogram);
+  }
+}
+
 int GetCheapestStartDepth(const DepthHistogram& histogram)
 {
   int cheapest = 0;

@@ -17,6 +17,26 @@ enum class FrequencyModel
   Grid
 };
 
+/** Where direct searches start (paper sections 4 and 5): at the weighted median of the leaves'
+ * depths, at their weighted mean, at the root, at a given depth, or at the median of the leaves
+ * near the position (StartDepths.h). */
+enum class StartDepthModel
+{
+  Median,
+  Mean,
+  Root,
+  Fixed,
+  Local
+};
+
+/** How a start depth is chosen. */
+struct StartDepthOptions
+{
+  StartDepthModel Model = StartDepthModel::Median;
+  FrequencyModel Frequency = FrequencyModel::Leaves;
+  int Fixed = 0; ///< In [0, MortonKey::MaxDepth]; of the Fixed model only.
+};
+
 /** A weight for each depth, from 0 to the deepest: the paper's p_l * f_l, as exact integers. */
 using DepthHistogram = std::vector<std::uint64_t>;
 
@@ -55,6 +75,10 @@ int GetMedianDepth(const DepthHistogram& histogram);
 /** The weighted mean of the depths to the nearest integer, halves upwards: the paper's cheaper
  * estimate of the median. 0 for a histogram of no weight. */
 int GetMeanDepth(const DepthHistogram& histogram);
+
+/** The one start depth that a model has for a whole tree, given the histogram of the frequency
+ * model; of the Local model the median. */
+int GetStartDepth(const DepthHistogram& histogram, const StartDepthOptions& options);
 
 /** A start depth with the least mean cost, found by trying all; the smallest of equals. */
 int GetCheapestStartDepth(const DepthHistogram& histogram);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceKernels.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #if defined(__x86_64__)
+#include <immintrin.h>
 #define HASHEDOCTREE_AVX2
 #endif
 
@@ -14,20 +18,36 @@ namespace
 // Always inlined, so that each caller compiles them for its own machine.
 #define HASHEDOCTREE_INLINE __attribute__((always_inline)) inline
 
+/** Four of a kind, in a vector register where the machine has one of that size. */
+template <typename Real>
+using Four __attribute__((vector_size(4 * sizeof(Real)))) = Real;
+
 template <int Dim, typename Real>
-HASHEDOCTREE_INLINE void ComputeToPoints(
-  const Real* coordinates, std::size_t count, const double* x, double* __restrict dist2)
+HASHEDOCTREE_INLINE double ComputeToPoints(
+  const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
 {
-  for (std::size_t i = 0; i < count; ++i)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Four<double> least = { infinity, infinity, infinity, infinity };
+  for (std::size_t i = 0; i < count; i += 4)
   {
-    double sum = 0.0;
+    Four<double> sum = {};
     for (std::size_t axis = 0; axis < Dim; ++axis)
     {
-      const double difference = static_cast<double>(coordinates[axis * count + i]) - x[axis];
+      Four<Real> loaded;
+      std::memcpy(&loaded, coordinates + axis * stride + i, sizeof(loaded));
+      const Four<double> difference = __builtin_convertvector(loaded, Four<double>) - x[axis];
       sum += difference * difference;
     }
-    dist2[i] = sum;
+    for (std::size_t lane = count - i; lane < 4; ++lane)
+    {
+      sum[lane] = infinity;
+    }
+    least = sum < least ? sum : least;
+    std::memcpy(dist2 + i, &sum, sizeof(sum));
   }
+  const double a = least[0] < least[1] ? least[0] : least[1];
+  const double b = least[2] < least[3] ? least[2] : least[3];
+  return a < b ? a : b;
 }
 
 template <int Dim>
@@ -54,22 +74,33 @@ HASHEDOCTREE_INLINE void ComputeToBoxes(
       sum[octant] += distance * distance;
     }
   }
-  for (int octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
+  std::copy_n(sum, MortonKey<Dim>::NumberOfOctants, dist2);
+}
+
+template <int Dim>
+HASHEDOCTREE_INLINE unsigned GetMaskWithin(const float* dist2, float limit)
+{
+  unsigned mask = 0;
+  for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
   {
-    dist2[octant] = sum[octant];
+    mask |= (dist2[octant] > limit ? 0U : 1U) << octant;
   }
+  return mask;
 }
 
 template <int Dim, typename Real>
 struct Plain
 {
-  static void ToPoints(const Real* coordinates, std::size_t count, const double* x, double* dist2)
+  static double ToPoints(
+    const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
-    ComputeToPoints<Dim>(coordinates, count, x, dist2);
+    return ComputeToPoints<Dim>(coordinates, stride, count, x, dist2);
   }
-  static void ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, float* dist2)
+  static unsigned ToBoxes(
+    const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2)
   {
     ComputeToBoxes<Dim>(boxes, steps, dist2);
+    return GetMaskWithin<Dim>(dist2, limit);
   }
 };
 
@@ -77,15 +108,22 @@ struct Plain
 template <int Dim, typename Real>
 struct Avx2
 {
-  __attribute__((target("avx2"))) static void ToPoints(
-    const Real* coordinates, std::size_t count, const double* x, double* dist2)
+  __attribute__((target("avx2"))) static double ToPoints(
+    const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
-    ComputeToPoints<Dim>(coordinates, count, x, dist2);
+    return ComputeToPoints<Dim>(coordinates, stride, count, x, dist2);
   }
-  __attribute__((target("avx2"))) static void ToBoxes(
-    const ChildBoxes<Dim>& boxes, const double* steps, float* dist2)
+  __attribute__((target("avx2"))) static unsigned ToBoxes(
+    const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2)
   {
     ComputeToBoxes<Dim>(boxes, steps, dist2);
+    if constexpr (Dim == 3)
+    {
+      const __m256 isWithin =
+        _mm256_cmp_ps(_mm256_loadu_ps(dist2), _mm256_set1_ps(limit), _CMP_NGT_UQ);
+      return static_cast<unsigned>(_mm256_movemask_ps(isWithin));
+    }
+    return GetMaskWithin<Dim>(dist2, limit);
   }
 };
 #endif

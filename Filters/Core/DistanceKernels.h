@@ -31,14 +31,20 @@ struct ChildBoxes
 template <int Dim, typename Real>
 struct DistanceKernels
 {
-  /** Squared distances from x to `count` points whose coordinates stand axis after axis: the sum of
-   * squared differences in double, axis by axis in order. */
-  void (*ToPoints)(const Real* coordinates, std::size_t count, const double* x, double* dist2);
+  static constexpr std::size_t MostPoints = 64; ///< That ToPoints() takes at a time.
+  static constexpr std::size_t Padding = 3;     ///< Coordinates that must exist beyond the last.
+
+  /** Squared distances from x to `count` points, of which the coordinates on one axis stand side by
+   * side, and those on the next axis `stride` further: the sum of squared differences in double,
+   * axis by axis in order. `dist2` has room for MostPoints. Returns the least of them, infinity
+   * where there is none. */
+  double (*ToPoints)(
+    const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2);
 
   /** Squared distances from a place to the boxes of all children, both in steps of the block,
    * less than what float may err: never more than the true ones, but for a factor of
-   * (1 + BoxError). */
-  void (*ToBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float* dist2);
+   * (1 + BoxError). Returns the mask of those that are not greater than `limit`, or no numbers. */
+  unsigned (*ToBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2);
 
   static constexpr double BoxError = 4e-6;
 };

@@ -41,10 +41,9 @@ template <int Dim, typename Real>
 class PointSearch
 {
 public:
-  /** `startDepth` in [0, MortonKey::MaxDepth]. The tree must outlive the search. */
-  PointSearch(const PointTree<Dim, Real>& tree, int startDepth)
+  /** The tree, which says where searches start, must outlive the search. */
+  explicit PointSearch(const PointTree<Dim, Real>& tree)
     : Tree(tree)
-    , StartDepth(startDepth)
   {
   }
 
@@ -52,6 +51,10 @@ public:
    * alone, when there is none or the position or the radius is not a number. */
   bool FindClosest(const Position<Dim>& x, FoundPoint& found,
     double radius2 = std::numeric_limits<double>::infinity()) const;
+
+  /** How many nodes FindClosest() examines for a position: looks into the table, and blocks whose
+   * children it measures. */
+  std::uint64_t CountNodesForClosest(const Position<Dim>& x) const;
 
   /** The `count` closest points in order, or all where there are fewer. `found` is replaced. */
   void FindClosest(const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const;
@@ -62,7 +65,6 @@ public:
 
 private:
   const PointTree<Dim, Real>& Tree;
-  int StartDepth;
 };
 }
 

@@ -9,32 +9,6 @@ namespace
 {
 constexpr std::size_t Grain = 2048; // Blocks that a thread does at a time.
 
-/** Cells of MaxDepth between two corners, both of them included. */
-template <int Dim>
-struct CellBox
-{
-  Cell<Dim> Lower;
-  Cell<Dim> Upper;
-};
-
-/** The cells of MaxDepth that the points of a leaf lie in. It must not be empty. */
-template <int Dim, typename Real>
-CellBox<Dim> MeasureLeaf(
-  const PointTree<Dim, Real>& tree, std::uint32_t firstPoint, std::uint32_t lastPoint)
-{
-  const Grid<Dim>& grid = tree.GetOctree().GetGrid();
-  const std::size_t count = lastPoint - firstPoint;
-  CellBox<Dim> box;
-  for (int axis = 0; axis < Dim; ++axis)
-  {
-    const Real* x = tree.GetLeafCoordinates(firstPoint) + static_cast<std::size_t>(axis) * count;
-    const auto [lower, upper] = std::minmax_element(x, x + count);
-    box.Lower[axis] = grid.GetCellCoordinate(static_cast<double>(*lower), axis);
-    box.Upper[axis] = grid.GetCellCoordinate(static_cast<double>(*upper), axis);
-  }
-  return box;
-}
-
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
 template <int Dim>
 std::uint8_t GetStep(std::uint32_t cell, int depth)
@@ -55,19 +29,53 @@ std::uint8_t GetLastStep(std::uint32_t cell, int depth)
 }
 }
 
+/** Cells of MaxDepth between two corners, both of them included. */
+template <int Dim, typename Real>
+struct PointTree<Dim, Real>::CellBox
+{
+  Cell<Dim> Lower;
+  Cell<Dim> Upper;
+};
+
 template <int Dim, typename Real>
 PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
   const Options& options, const Execution& execution)
   : Tree(points, selection, options, execution.Part(0.0, 0.6))
+  , Starts(this->Tree, StartDepthOptions())
+  , Ids(this->Tree.GetPointIds())
 {
   this->CopyCoordinates(points, execution.Part(0.6, 0.8));
-  this->MeasureBoxes(execution.Part(0.8, 1.0));
+  this->MeasureBoxes(execution.Part(0.8, 0.9));
+  this->BuildNested(points, execution.Part(0.9, 1.0));
+}
+
+template <int Dim, typename Real>
+void PointTree<Dim, Real>::SetStartDepths(const StartDepthOptions& options)
+{
+  this->Starts = StartDepths<Dim>(this->Tree, options);
+  for (Nested& nested : this->NestedTrees)
+  {
+    nested.Points.SetStartDepths(options);
+  }
+}
+
+template <int Dim, typename Real>
+std::size_t PointTree<Dim, Real>::GetBytes() const
+{
+  std::size_t bytes = this->Tree.GetTreeBytes() + this->Tree.GetOrderBytes() +
+    this->OwnIds.GetBytes() + this->Boxes.GetBytes() + this->Coordinates.GetBytes();
+  for (const Nested& nested : this->NestedTrees)
+  {
+    bytes += sizeof(Nested) + nested.Points.GetBytes();
+  }
+  return bytes;
 }
 
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::CopyCoordinates(PointSpan<Dim, Real> points, const Execution& execution)
 {
-  this->Coordinates = Buffer<Real>(Dim * this->GetNumberOfPoints());
+  this->Coordinates = Buffer<Real>(
+    Dim * this->GetNumberOfPoints() + DistanceKernels<Dim, Real>::Padding, Memory::Zeroed);
   if (!this->Tree.IsRootInternal())
   {
     this->CopyLeaf(points, 0, static_cast<std::uint32_t>(this->GetNumberOfPoints()));
@@ -106,38 +114,60 @@ void PointTree<Dim, Real>::CopyLeaf(
   }
 }
 
+/** The cells of MaxDepth that the points of a leaf lie in. It must not be empty. */
+template <int Dim, typename Real>
+typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::MeasureLeaf(
+  std::uint32_t firstPoint, std::uint32_t lastPoint) const
+{
+  const Grid<Dim>& grid = this->Tree.GetGrid();
+  const std::size_t count = lastPoint - firstPoint;
+  CellBox box;
+  for (int axis = 0; axis < Dim; ++axis)
+  {
+    const Real* x = this->GetLeafCoordinates(firstPoint) + static_cast<std::size_t>(axis) * count;
+    const auto [lower, upper] = std::minmax_element(x, x + count);
+    box.Lower[axis] = grid.GetCellCoordinate(static_cast<double>(*lower), axis);
+    box.Upper[axis] = grid.GetCellCoordinate(static_cast<double>(*upper), axis);
+  }
+  return box;
+}
+
+/** Fills the boxes of the children of a block, and its own, when those of its internal children
+ * are there. */
+template <int Dim, typename Real>
+void PointTree<Dim, Real>::MeasureBoxesOf(std::size_t block, Buffer<CellBox>& blockBoxes)
+{
+  const auto& children = this->Tree.GetBlock(block);
+  const int depth = this->Tree.GetBlockKey(block).GetDepth();
+  CellBox whole;
+  whole.Lower.fill(~std::uint32_t(0));
+  whole.Upper.fill(0);
+  for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+  {
+    if ((children.Occupied >> octant & 1U) == 0)
+    {
+      continue;
+    }
+    const CellBox box = (children.Internal >> octant & 1U) != 0
+      ? blockBoxes[Octree<Dim>::GetChildBlock(children, octant)]
+      : this->MeasureLeaf(children.FirstPoint[octant], children.FirstPoint[octant + 1]);
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      this->Boxes[block].Lower[axis][octant] = GetStep<Dim>(box.Lower[axis], depth);
+      this->Boxes[block].Upper[axis][octant] = GetLastStep<Dim>(box.Upper[axis], depth);
+      whole.Lower[axis] = std::min(whole.Lower[axis], box.Lower[axis]);
+      whole.Upper[axis] = std::max(whole.Upper[axis], box.Upper[axis]);
+    }
+  }
+  blockBoxes[block] = whole;
+}
+
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::MeasureBoxes(const Execution& execution)
 {
   const std::size_t numberOfBlocks = this->Tree.GetNumberOfInternalNodes();
   this->Boxes = Buffer<ChildBoxes<Dim>>(numberOfBlocks);
-  Buffer<CellBox<Dim>> blockBoxes(numberOfBlocks);
-  const auto measure = [&](std::size_t block)
-  {
-    const auto& children = this->Tree.GetBlock(block);
-    const int depth = this->Tree.GetBlockKey(block).GetDepth();
-    CellBox<Dim> whole;
-    whole.Lower.fill(~std::uint32_t(0));
-    whole.Upper.fill(0);
-    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
-    {
-      if ((children.Occupied >> octant & 1U) == 0)
-      {
-        continue;
-      }
-      const CellBox<Dim> box = (children.Internal >> octant & 1U) != 0
-        ? blockBoxes[Octree<Dim>::GetChildBlock(children, octant)]
-        : MeasureLeaf(*this, children.FirstPoint[octant], children.FirstPoint[octant + 1]);
-      for (int axis = 0; axis < Dim; ++axis)
-      {
-        this->Boxes[block].Lower[axis][octant] = GetStep<Dim>(box.Lower[axis], depth);
-        this->Boxes[block].Upper[axis][octant] = GetLastStep<Dim>(box.Upper[axis], depth);
-        whole.Lower[axis] = std::min(whole.Lower[axis], box.Lower[axis]);
-        whole.Upper[axis] = std::max(whole.Upper[axis], box.Upper[axis]);
-      }
-    }
-    blockBoxes[block] = whole;
-  };
+  Buffer<CellBox> blockBoxes(numberOfBlocks);
 
   // Children before parents: depth by depth from below, each depth being a run of blocks.
   std::size_t last = numberOfBlocks;
@@ -151,7 +181,7 @@ void PointTree<Dim, Real>::MeasureBoxes(const Execution& execution)
       {
         for (std::size_t block = first + from; block < first + to; ++block)
         {
-          measure(block);
+          this->MeasureBoxesOf(block, blockBoxes);
         }
       },
       static_cast<double>(numberOfBlocks - last) / static_cast<double>(numberOfBlocks),
@@ -173,6 +203,82 @@ std::size_t PointTree<Dim, Real>::FindFirstBlockAt(int depth) const
     count = isBefore ? count - half - 1 : half;
   }
   return first;
+}
+
+template <int Dim, typename Real>
+void PointTree<Dim, Real>::BuildNested(PointSpan<Dim, Real> points, const Execution& execution)
+{
+  const Options& options = this->Tree.GetOptions();
+  if (options.MaxDepth < MortonKey<Dim>::MaxDepth ||
+    this->Tree.GetDeepestDepth() < MortonKey<Dim>::MaxDepth)
+  {
+    return;
+  }
+  const std::size_t firstBlock = this->FindFirstBlockAt(MortonKey<Dim>::MaxDepth - 1);
+  const std::size_t numberOfBlocks = this->Tree.GetNumberOfInternalNodes();
+  for (std::size_t block = firstBlock; block < numberOfBlocks; ++block)
+  {
+    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+    {
+      const auto leaf = this->Tree.GetChild(block, octant);
+      if (leaf.GetNumberOfPoints() > options.MaxPointsPerLeaf)
+      {
+        const auto before = static_cast<double>(leaf.FirstPoint);
+        const auto all = static_cast<double>(this->GetNumberOfPoints());
+        this->BuildNestedIn(
+          leaf, points, execution.Part(before / all, static_cast<double>(leaf.LastPoint) / all));
+      }
+    }
+  }
+}
+
+template <int Dim, typename Real>
+void PointTree<Dim, Real>::BuildNestedIn(
+  typename Octree<Dim>::Node leaf, PointSpan<Dim, Real> points, const Execution& execution)
+{
+  const std::size_t count = leaf.GetNumberOfPoints();
+  const std::uint32_t* ids = this->Ids + leaf.FirstPoint;
+  const Real* first = points[ids[0]];
+  if (std::all_of(ids, ids + count,
+        [&](std::uint32_t id) { return std::equal(first, first + Dim, points[id]); }))
+  {
+    return;
+  }
+  // The leaf's ids ascend, so points that the nested tree numbers in this order keep their order.
+  Buffer<Real> own(Dim * count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::copy_n(points[ids[i]], Dim, &own[Dim * i]);
+  }
+  const PointSpan<Dim, Real> span{ own.GetData(), count };
+  const PointSelection<Dim> selection(span, {}, execution.Part(0.0, 0.1));
+  this->NestedTrees.push_back({ leaf.FirstPoint,
+    PointTree(span, selection, this->Tree.GetOptions(), execution.Part(0.1, 1.0)) });
+  this->NestedTrees.back().Points.TranslateIds(ids);
+}
+
+/** From places in a list of ids to the ids that stand there. */
+template <int Dim, typename Real>
+void PointTree<Dim, Real>::TranslateIds(const std::uint32_t* ids)
+{
+  Buffer<std::uint32_t> translated(this->GetNumberOfPoints());
+  std::transform(this->Ids, this->Ids + this->GetNumberOfPoints(), translated.GetData(),
+    [ids](std::uint32_t place) { return ids[place]; });
+  this->OwnIds = std::move(translated);
+  this->Ids = this->OwnIds.GetData();
+  for (Nested& nested : this->NestedTrees)
+  {
+    nested.Points.TranslateIds(ids);
+  }
+}
+
+template <int Dim, typename Real>
+const PointTree<Dim, Real>* PointTree<Dim, Real>::FindNested(std::uint32_t firstPoint) const
+{
+  const auto nested = std::lower_bound(this->NestedTrees.begin(), this->NestedTrees.end(),
+    firstPoint, [](const Nested& tree, std::uint32_t first) { return tree.FirstPoint < first; });
+  return nested != this->NestedTrees.end() && nested->FirstPoint == firstPoint ? &nested->Points
+                                                                               : nullptr;
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

@@ -4,14 +4,24 @@
 
 #include "DistanceKernels.h"
 #include "Octree.h"
+#include "StartDepths.h"
+
+#include <vector>
 
 namespace hashedoctree
 {
 /**
  * An octree with what searches for points need beside it: the points in Morton order, in the
- * precision of the input, and the tight box of every child. The input may go away
- * once the tree is built. Immutable once built; const members may be called from many threads at
- * once.
+ * precision of the input, the tight box of every child, and the start depths. The input may go away
+ * once the tree is built.
+ *
+ * Nested trees: keys end at MortonKey::MaxDepth, and a leaf there may hold any number of points.
+ * One that holds more than a bucket, and not all at one place, gets a tree of its own in its own
+ * box, with the same options, so that no search is linear in the number of points unless they
+ * coincide. (Not where the options ask for less depth: then the leaves are as large as was asked
+ * for.)
+ *
+ * Immutable but for the start depths; const members may be called from many threads at once.
  */
 template <int Dim, typename Real>
 class PointTree
@@ -22,37 +32,65 @@ public:
   /** The tree of no points. */
   PointTree() = default;
 
-  /** Of the selected points; O(n). Throws as Octree does. */
+  /** Of the selected points; O(n). Searches start at the median until SetStartDepths() says
+   * otherwise. Throws as Octree does. */
   PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
     const Options& options, const Execution& execution);
 
   const Octree<Dim>& GetOctree() const { return this->Tree; }
   std::size_t GetNumberOfPoints() const { return this->Tree.GetNumberOfPoints(); }
+
+  /** Chooses anew where searches start, in nested trees too. */
+  void SetStartDepths(const StartDepthOptions& options);
+  const StartDepths<Dim>& GetStartDepths() const { return this->Starts; }
+
   /** Coordinates of the points of a leaf, given where its range begins: axis after axis, so that
-   * the points of a leaf are near each other in memory and of one kind in a vector. */
+   * the points of a leaf are near each other in memory and of one kind in a vector. No meaning for
+   * a leaf with a nested tree. */
   const Real* GetLeafCoordinates(std::uint32_t firstPoint) const
   {
     return this->Coordinates.GetData() + Dim * static_cast<std::size_t>(firstPoint);
   }
-  const std::uint32_t* GetIds() const { return this->Tree.GetPointIds(); }
+  /** Ids of all points in Morton order, equal keys by id. */
+  const std::uint32_t* GetIds() const { return this->Ids; }
   const ChildBoxes<Dim>& GetChildBoxes(std::size_t block) const { return this->Boxes[block]; }
 
-  /** Bytes of all of it: tree, order, boxes and coordinates. */
-  std::size_t GetBytes() const
-  {
-    return this->Tree.GetTreeBytes() + this->Tree.GetOrderBytes() + this->Boxes.GetBytes() +
-      this->Coordinates.GetBytes();
-  }
+  /** The nested tree of a leaf, given where its range begins, or null. O(log nested trees). */
+  const PointTree* FindNested(std::uint32_t firstPoint) const;
+
+  /** Bytes of all of it: tree, order, boxes, coordinates and nested trees. */
+  std::size_t GetBytes() const;
 
 private:
+  struct Nested;
+  struct CellBox;
+
   void CopyCoordinates(PointSpan<Dim, Real> points, const Execution& execution);
   void CopyLeaf(PointSpan<Dim, Real> points, std::uint32_t firstPoint, std::uint32_t lastPoint);
   void MeasureBoxes(const Execution& execution);
+  void MeasureBoxesOf(std::size_t block, Buffer<CellBox>& blockBoxes);
+  CellBox MeasureLeaf(std::uint32_t firstPoint, std::uint32_t lastPoint) const;
   std::size_t FindFirstBlockAt(int depth) const;
+  void BuildNested(PointSpan<Dim, Real> points, const Execution& execution);
+  void BuildNestedIn(
+    typename Octree<Dim>::Node leaf, PointSpan<Dim, Real> points, const Execution& execution);
+  void TranslateIds(const std::uint32_t* ids);
 
   Octree<Dim> Tree;
+  StartDepths<Dim> Starts;
+  const std::uint32_t* Ids = nullptr; ///< The tree's, or those in OwnIds.
+  Buffer<std::uint32_t> OwnIds;       ///< Of a nested tree: ids in the whole input.
   Buffer<Real> Coordinates;
   Buffer<ChildBoxes<Dim>> Boxes;
+  std::vector<Nested> NestedTrees; ///< By FirstPoint.
+};
+
+/** A tree in a leaf. */
+template <int Dim, typename Real>
+struct PointTree<Dim, Real>::Nested
+{
+  std::uint32_t FirstPoint; ///< Where the leaf's range begins.
+  PointTree Points;
 };
 }
 

@@ -34,23 +34,30 @@ TYPED_TEST_SUITE(TestDistanceKernels, Dimensions);
 TYPED_TEST(TestDistanceKernels, PointsToTheLastBit)
 {
   constexpr int dim = TestFixture::Dim;
+  using Kernels = DistanceKernels<dim, float>;
   const double x[4] = { 0.3, -1.7, 1e6, 0.1 };
-  for (std::size_t count = 0; count < 40; ++count)
+  for (std::size_t count = 0; count <= Kernels::MostPoints; ++count)
   {
-    const std::vector<float> points = MakeUniformPoints<dim, float>(count, 131);
-    std::vector<double> dist2(count + 1, -1.0);
-    GetDistanceKernels<dim, float>().ToPoints(points.data(), count, x, dist2.data());
+    const std::size_t stride = count + count % 3;
+    std::vector<float> points = MakeUniformPoints<dim, float>(stride, 131);
+    // What stands beyond the points must not count: these would be the nearest.
+    points.insert(points.end(), Kernels::Padding, static_cast<float>(x[dim - 1]));
+    std::vector<double> dist2(Kernels::MostPoints, -1.0);
+    const double least =
+      GetDistanceKernels<dim, float>().ToPoints(points.data(), stride, count, x, dist2.data());
+    double expectedLeast = INFINITY;
     for (std::size_t i = 0; i < count; ++i)
     {
       double expected = 0.0;
       for (std::size_t axis = 0; axis < dim; ++axis)
       {
-        const double difference = static_cast<double>(points[axis * count + i]) - x[axis];
+        const double difference = static_cast<double>(points[axis * stride + i]) - x[axis];
         expected += difference * difference;
       }
       ASSERT_EQ(dist2[i], expected);
+      expectedLeast = std::min(expectedLeast, expected);
     }
-    EXPECT_EQ(dist2[count], -1.0) << "written beyond the end";
+    ASSERT_EQ(least, expectedLeast);
   }
 }
 
@@ -70,9 +77,11 @@ TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
         step = 128.0 + reach * uniform(random);
       }
       float dist2[TestFixture::Octants];
-      GetDistanceKernels<dim, double>().ToBoxes(boxes, steps, dist2);
+      const auto limit = static_cast<float>(reach * reach);
+      const unsigned mask = GetDistanceKernels<dim, double>().ToBoxes(boxes, steps, limit, dist2);
       for (unsigned octant = 0; octant < TestFixture::Octants; ++octant)
       {
+        ASSERT_EQ((mask >> octant & 1U) != 0, dist2[octant] <= limit);
         double expected = 0.0;
         for (int axis = 0; axis < dim; ++axis)
         {
@@ -100,7 +109,10 @@ TYPED_TEST(TestDistanceKernels, FarthestPlacesStayFinite)
   double steps[dim];
   std::fill(std::begin(steps), std::end(steps), -1e300);
   float dist2[TestFixture::Octants];
-  GetDistanceKernels<dim, float>().ToBoxes(boxes, steps, dist2);
+  constexpr unsigned all = (1U << TestFixture::Octants) - 1U;
+  EXPECT_EQ((GetDistanceKernels<dim, float>().ToBoxes(boxes, steps, 1e20F, dist2)), 0U);
+  EXPECT_EQ((GetDistanceKernels<dim, float>().ToBoxes(boxes, steps, NAN, dist2)), all)
+    << "nothing is left out where the limit is no number";
   for (const float distance2 : dist2)
   {
     EXPECT_TRUE(std::isfinite(distance2));

@@ -19,6 +19,7 @@ TYPED_TEST(TestNodeList, ListsTheNodesAskedForInOrder)
 {
   constexpr int dim = TypeParam::value;
   auto samples = MakePointSamples<dim, double>();
+  samples.push_back({ "three points", MakeUniformPoints<dim, double>(3, 122) });
   samples.push_back({ "many", MakeUniformPoints<dim, double>(30000, 121) });
   for (const auto& sample : samples)
   {

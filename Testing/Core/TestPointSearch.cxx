@@ -44,8 +44,7 @@ protected:
     SCOPED_TRACE(sample.Name + ", " + std::to_string(bucket) + " points per leaf");
     const auto points = sample.GetSpan();
     const PointSelection<Dim> selection(points, {}, Execution());
-    const PointTree<Dim, Real> tree(
-      points, selection, { bucket, MortonKey<Dim>::MaxDepth }, Execution());
+    PointTree<Dim, Real> tree(points, selection, { bucket, MortonKey<Dim>::MaxDepth }, Execution());
     const BruteForceSearch<Dim, Real> oracle(points);
     for (int query = 0; query < queries; ++query)
     {
@@ -59,8 +58,11 @@ protected:
       const std::vector<OracleFound> all = oracle.FindAll(x);
       for (int startDepth = query % 3; startDepth <= MortonKey<Dim>::MaxDepth; startDepth += 3)
       {
-        this->ExpectFound(PointSearch<Dim, Real>(tree, startDepth), x, all);
+        tree.SetStartDepths({ StartDepthModel::Fixed, FrequencyModel::Leaves, startDepth });
+        this->ExpectFound(PointSearch<Dim, Real>(tree), x, all);
       }
+      tree.SetStartDepths({ StartDepthModel::Local, static_cast<FrequencyModel>(query % 3), 0 });
+      this->ExpectFound(PointSearch<Dim, Real>(tree), x, all);
     }
   }
 
@@ -139,7 +141,7 @@ TEST(TestPointSearchFacts, ManyAreFoundInOrder)
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(5000, 156) };
   const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
   const PointTree<3, float> tree(sample.GetSpan(), selection, { 16, 21 }, Execution());
-  const PointSearch<3, float> search(tree, 3);
+  const PointSearch<3, float> search(tree);
   const Position<3> x{ 0.1, 0.9, 0.4 };
   const std::vector<OracleFound> all = BruteForceSearch<3, float>(sample.GetSpan()).FindAll(x);
   for (const std::size_t count : { 64U, 65U, 700U, 4999U, 5000U, 9000U })
@@ -163,7 +165,7 @@ TEST(TestPointSearchFacts, NothingToFind)
   const Position<3> inside{ 0.5, 0.5, 0.5 };
   const auto expectNothing = [](const PointTree<3, float>& points, const Position<3>& x)
   {
-    const PointSearch<3, float> search(points, 4);
+    const PointSearch<3, float> search(points);
     FoundPoint closest{ 7.0, 7 };
     EXPECT_FALSE(search.FindClosest(x, closest));
     EXPECT_EQ(closest.Id, 7U);
@@ -178,7 +180,7 @@ TEST(TestPointSearchFacts, NothingToFind)
   expectNothing(tree, { NAN, 0.5, 0.5 });
   expectNothing(tree, { 0.5, INFINITY, 0.5 });
 
-  const PointSearch<3, float> search(tree, 4);
+  const PointSearch<3, float> search(tree);
   FoundPoint closest{};
   EXPECT_FALSE(search.FindClosest(inside, closest, -1.0));
   EXPECT_FALSE(search.FindClosest(inside, closest, NAN));

@@ -3,6 +3,7 @@
 
 #include "Dimensions.h"
 #include "PointSamples.h"
+#include "SampleTree.h"
 #include "Threads.h"
 
 using namespace hashedoctree;
@@ -104,15 +105,82 @@ TYPED_TEST(TestPointTree, HoldsThePointsAndTheirBoxes)
 
 TEST(TestPointTreeFacts, TakesAtMost32BytesPerPoint)
 {
-  // Beside the input: floats, in leaves of 16 as the locator has them.
+  // Beside the input: floats, in leaves of 32 as the locator has them.
   for (const auto& coordinates : { MakeUniformPoints<3, float>(100000, 142),
          MakeSpherePoints<3, float>(100000, 143), MakeClusteredPoints<3, float>(100000, 144) })
   {
     const PointSpan<3, float> points{ coordinates.data(), 100000 };
     const PointSelection<3> selection(points, {}, Execution());
-    const PointTree<3, float> tree(points, selection, { 16, 21 }, Execution());
+    const PointTree<3, float> tree(points, selection, { 32, 21 }, Execution());
     EXPECT_LE(tree.GetBytes(), 32 * tree.GetNumberOfPoints());
   }
+}
+
+/** Every leaf at the last depth with more than a bucket of points has a nested tree, unless they
+ * are all at one place; the trees hold the ids of the leaf. Returns the number of nested trees. */
+template <typename Real>
+int ExpectNested(const PointSpan<3, Real>& points, const PointTree<3, Real>& tree)
+{
+  int count = 0;
+  ForEachNode(tree.GetOctree(),
+    [&](const auto& node)
+    {
+      const auto* nested = node.Internal ? nullptr : tree.FindNested(node.FirstPoint);
+      const std::uint32_t* ids = tree.GetIds() + node.FirstPoint;
+      const bool isAtOnePlace = std::all_of(ids, ids + node.GetNumberOfPoints(),
+        [&](std::uint32_t id) { return std::equal(points[id], points[id] + 3, points[ids[0]]); });
+      const bool isLarge =
+        node.GetNumberOfPoints() > tree.GetOctree().GetOptions().MaxPointsPerLeaf;
+      ASSERT_EQ(nested != nullptr, !node.Internal && isLarge && !isAtOnePlace);
+      if (nested != nullptr)
+      {
+        std::vector<std::uint32_t> nestedIds(
+          nested->GetIds(), nested->GetIds() + nested->GetNumberOfPoints());
+        std::sort(nestedIds.begin(), nestedIds.end());
+        ASSERT_EQ(nestedIds, std::vector<std::uint32_t>(ids, ids + node.GetNumberOfPoints()));
+        count += 1 + ExpectNested(points, *nested);
+      }
+    });
+  return count;
+}
+
+TEST(TestPointTreeFacts, LeavesAtTheLastDepthHaveTreesOfTheirOwn)
+{
+  // Dense spots inside dense spots, each far smaller than a cell of the last depth around it, and
+  // points at one place.
+  std::vector<double> coordinates{ 1.0, 1.0, 1.0 };
+  for (const double size : { 1e-8, 1e-16, 1e-24 })
+  {
+    const auto spot = MakeUniformPoints<3, double>(200, 146, 0.0, size);
+    coordinates.insert(coordinates.end(), spot.begin(), spot.end());
+  }
+  coordinates.insert(coordinates.end(), std::size_t(3) * 50, 0.5);
+  const PointSpan<3, double> points{ coordinates.data(), coordinates.size() / 3 };
+  const PointSelection<3> selection(points, {}, Execution());
+  const PointTree<3, double> tree(points, selection, { 8, 21 }, Execution());
+  EXPECT_EQ(ExpectNested(points, tree), 3);
+  EXPECT_GT(tree.GetBytes(),
+    tree.FindNested(0)->GetBytes() + tree.GetOctree().GetTreeBytes() +
+      tree.GetOctree().GetOrderBytes());
+
+  // Where less depth is asked for, leaves are as large as they get.
+  const PointTree<3, double> shallow(points, selection, { 8, 20 }, Execution());
+  EXPECT_EQ(shallow.FindNested(0), nullptr);
+}
+
+TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
+{
+  std::vector<float> coordinates = MakeUniformPoints<3, float>(2000, 147, 0.0, 1e-9);
+  coordinates.insert(coordinates.end(), 3, 1.0F);
+  const PointSpan<3, float> points{ coordinates.data(), 2001 };
+  PointTree<3, float> tree(
+    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  const StartDepths<3>& starts = tree.FindNested(0)->GetStartDepths();
+  EXPECT_GT(starts.GetOfTree(), 1);
+  EXPECT_LT(starts.GetOfTree(), tree.GetStartDepths().GetOfTree());
+  tree.SetStartDepths({ StartDepthModel::Fixed, FrequencyModel::Leaves, 17 });
+  EXPECT_EQ(starts.GetOfTree(), 17);
+  EXPECT_EQ(tree.GetStartDepths().GetOfTree(), 17);
 }
 
 TEST(TestPointTreeFacts, CanBeInterrupted)

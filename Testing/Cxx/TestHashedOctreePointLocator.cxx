@@ -109,7 +109,7 @@ void ExpectAnswersFromAllStartDepths(
 {
   using Class = vtkHashedOctreePointLocator;
   const std::vector<double> radii = MakeRadii(all);
-  for (const int model : { Class::Median, Class::Mean, Class::Root })
+  for (const int model : { Class::Median, Class::Mean, Class::Root, Class::Local })
   {
     for (const int frequency : { Class::Leaves, Class::Points, Class::Grid })
     {

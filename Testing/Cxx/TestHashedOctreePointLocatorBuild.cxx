@@ -58,7 +58,7 @@ private:
 TEST(TestHashedOctreePointLocatorBuild, DefaultsAreAsDocumented)
 {
   vtkNew<vtkHashedOctreePointLocator> locator;
-  EXPECT_EQ(locator->GetMaxPointsPerLeaf(), 16);
+  EXPECT_EQ(locator->GetMaxPointsPerLeaf(), 32);
   EXPECT_EQ(locator->GetMaxDepth(), 21);
   EXPECT_EQ(locator->GetMaxLevel(), 21);
   EXPECT_EQ(locator->GetFrequencyModel(), Class::Leaves);
@@ -83,7 +83,7 @@ TEST(TestHashedOctreePointLocatorBuild, PropertiesAreClamped)
     EXPECT_EQ(locator->GetMaxDepth(), low ? 0 : 21);
     EXPECT_EQ(locator->GetMaxLevel(), low ? 0 : 21);
     EXPECT_EQ(locator->GetFrequencyModel(), low ? Class::Leaves : Class::Grid);
-    EXPECT_EQ(locator->GetStartDepthModel(), low ? Class::Median : Class::Fixed);
+    EXPECT_EQ(locator->GetStartDepthModel(), low ? Class::Median : Class::Local);
     EXPECT_EQ(locator->GetFixedStartDepth(), low ? 0 : 21);
   }
   locator->SetMaxLevel(1000);
@@ -228,7 +228,7 @@ TEST(TestHashedOctreePointLocatorBuild, TellsOfItsTree)
     EXPECT_EQ(bounds[i], cloud->GetBounds()[i]);
     EXPECT_EQ(locator->GetBounds()[i], bounds[i]);
   }
-  EXPECT_GT(locator->GetNumberOfBuckets(), 10000 / 16);
+  EXPECT_GT(locator->GetNumberOfBuckets(), 10000 / 32);
   EXPECT_GT(locator->GetLevel(), 2);
   EXPECT_LT(locator->GetLevel(), 10);
   EXPECT_GE(locator->GetIndexBytes(), 10000 * 16); // Coordinates and ids at least.

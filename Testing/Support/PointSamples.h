@@ -112,6 +112,9 @@ std::vector<PointSample<Dim, Real>> MakePointSamples()
   add("far offset", transformed(uniform, 1e-9, 1e6));
   add("large", transformed(uniform, 1e30, -2e29));
   add("small", transformed(uniform, 1e-30, 0.0));
+  // Squares of differences are no numbers that a double can hold to the last digit, or at all.
+  add("tiny", transformed(uniform, 10.0 * std::numeric_limits<Real>::min(), 0.0));
+  add("squares too small", transformed(uniform, sizeof(Real) == 8 ? 1e-161 : 1e-40, 0.0));
 
   std::vector<Real> duplicates = uniform;
   duplicates.insert(duplicates.end(), uniform.begin(), uniform.begin() + 100 * Dim);

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_BallInGrid_h
+#define hashedoctree_BallInGrid_h
+
+#include "Grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hashedoctree
+{
+/**
+ * A ball in the grid of a tree: which cells it reaches. Lengths are in cells of MaxDepth where
+ * nothing else is said. The ball may lie anywhere; outside the root the cells nearest to it count.
+ * All points of the tree whose computed distance is within the radius lie in the cells between the
+ * corners: the room left for rounding is more than all of it can add up to.
+ */
+template <int Dim>
+class BallInGrid
+{
+public:
+  using Key = MortonKey<Dim>;
+
+  /** More than a sum of squares may lose because the squares are too small for a double. */
+  static constexpr double Underflow = 1e-322;
+
+  BallInGrid(const Grid<Dim>& grid, const Position<Dim>& center)
+    : CellSize(grid.GetSide(Key::MaxDepth))
+    , CellsPerLength(1.0 / this->CellSize)
+  {
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      this->Place[axis] = (center[axis] - grid.GetLower()[axis]) * this->CellsPerLength;
+      this->Home[axis] = GetLowerCell(this->Place[axis]);
+      this->Farthest = std::max(this->Farthest, std::abs(this->Place[axis]));
+    }
+  }
+
+  /** Side of a cell in world units. */
+  double GetCellSize() const { return this->CellSize; }
+  /** The center, from the lower corner of the root. */
+  const Position<Dim>& GetPlace() const { return this->Place; }
+  /** The cell that holds the center, or is nearest to it. */
+  const Cell<Dim>& GetHome() const { return this->Home; }
+
+  /** Gives the ball its radius, squared and in world units; may be infinite. */
+  void SetRadius2(double radius2)
+  {
+    const double radius = std::sqrt(radius2 + Underflow) * this->CellsPerLength;
+    const double reach = radius + 1e-9 + 1e-12 * (radius + this->Farthest);
+    std::uint32_t difference = 0;
+    std::uint32_t width = 0;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      this->Lower[axis] = GetLowerCell(this->Place[axis] - reach);
+      this->Upper[axis] = GetUpperCell(this->Place[axis] + reach);
+      difference |= this->Lower[axis] ^ this->Upper[axis];
+      width |= this->Upper[axis] - this->Lower[axis];
+    }
+    this->Depth = Key::MaxDepth - CountBits(difference);
+    this->CoverDepth = Key::MaxDepth - CountBits(width);
+  }
+
+  /** Depth of the smallest cell that holds the ball. */
+  int GetDepth() const { return this->Depth; }
+  /** The deepest depth whose cells are as wide as the ball, so that 2^Dim of them cover it. */
+  int GetCoverDepth() const { return this->CoverDepth; }
+  /** The cells of MaxDepth at the ball's corners. */
+  const Cell<Dim>& GetLower() const { return this->Lower; }
+  const Cell<Dim>& GetUpper() const { return this->Upper; }
+
+private:
+  static constexpr double Size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
+
+  // The cell at a place, or nearest to it; where the place is no number, the first, or the last.
+  static std::uint32_t GetLowerCell(double place)
+  {
+    place = place > 0.0 ? place : 0.0;
+    return static_cast<std::uint32_t>(place < Size - 1.0 ? place : Size - 1.0);
+  }
+  static std::uint32_t GetUpperCell(double place)
+  {
+    place = place < Size - 1.0 ? place : Size - 1.0;
+    return static_cast<std::uint32_t>(place > 0.0 ? place : 0.0);
+  }
+
+  /** How many bits it takes to write x. */
+  static int CountBits(std::uint32_t x) { return x == 0 ? 0 : HighestBit(x) + 1; }
+
+  double CellSize;
+  double CellsPerLength;
+  Position<Dim> Place;
+  Cell<Dim> Home;
+  double Farthest = 0.0;
+  Cell<Dim> Lower{};
+  Cell<Dim> Upper{};
+  int Depth = 0;
+  int CoverDepth = 0;
+};
+}
+
+#endif

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_PointCollectors_h
+#define hashedoctree_PointCollectors_h
+
+#include "PointSearch.h"
+
+#include <algorithm>
+
+namespace hashedoctree
+{
+// What a walk hands its points to. A collector has
+// - GetBound2(): the squared radius beyond which points are of no use to it, now;
+// - Add(dist2, least, ids, count): takes points of a leaf, their squared distances and the least of
+//   these;
+// - HasFixedBall: whether the bound never changes. Then it also has
+// - AddAll(ids, count): takes points that are known to be within.
+// Private to PointSearch.cxx.
+
+/** The closest point so far. */
+class ClosestOne
+{
+public:
+  static constexpr bool HasFixedBall = false;
+
+  explicit ClosestOne(double radius2)
+    : Dist2(radius2)
+  {
+  }
+  double GetBound2() const { return this->Dist2; }
+  void Add(const double* dist2, double least, const std::uint32_t* ids, std::size_t count)
+  {
+    // Ids are far away in memory, and looked at only where distances are equal.
+    if (least < this->Dist2)
+    {
+      this->Dist2 = least;
+      this->Id = nullptr;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (dist2[i] == least && (this->Id == nullptr || ids[i] < *this->Id))
+      {
+        this->Id = ids + i;
+      }
+    }
+  }
+  bool HasFound() const { return this->Id != nullptr; }
+  FoundPoint GetBest() const { return { this->Dist2, *this->Id }; }
+
+private:
+  double Dist2;
+  const std::uint32_t* Id = nullptr;
+};
+
+/** The closest few so far, in order; up to MostWanted, where that beats a heap. */
+class ClosestFew
+{
+public:
+  static constexpr bool HasFixedBall = false;
+  static constexpr std::size_t MostWanted = 64;
+
+  /** `wanted` in [1, MostWanted]. */
+  explicit ClosestFew(std::size_t wanted)
+    : Wanted(wanted)
+  {
+  }
+  double GetBound2() const { return this->Bound2; }
+  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (dist2[i] <= this->Bound2)
+      {
+        this->Insert(dist2[i], ids[i]);
+      }
+    }
+  }
+  void CopyTo(std::vector<FoundPoint>& found) const
+  {
+    found.resize(this->Size);
+    for (std::size_t i = 0; i < this->Size; ++i)
+    {
+      found[i] = { this->Dist2[i], this->Ids[i] };
+    }
+  }
+
+private:
+  void Insert(double dist2, std::uint32_t id)
+  {
+    std::size_t place = this->Size;
+    if (this->Size < this->Wanted)
+    {
+      ++this->Size;
+    }
+    else if (dist2 == this->Bound2 && id > this->Ids[place - 1])
+    {
+      return;
+    }
+    else
+    {
+      --place;
+    }
+    for (; place > 0 && this->Dist2[place - 1] > dist2; --place)
+    {
+      this->Dist2[place] = this->Dist2[place - 1];
+      this->Ids[place] = this->Ids[place - 1];
+    }
+    for (; place > 0 && this->Dist2[place - 1] == dist2 && this->Ids[place - 1] > id; --place)
+    {
+      this->Ids[place] = this->Ids[place - 1];
+      this->Dist2[place] = dist2;
+    }
+    this->Dist2[place] = dist2;
+    this->Ids[place] = id;
+    if (this->Size == this->Wanted)
+    {
+      this->Bound2 = this->Dist2[this->Size - 1];
+    }
+  }
+
+  std::size_t Wanted;
+  std::size_t Size = 0;
+  double Bound2 = std::numeric_limits<double>::infinity();
+  double Dist2[MostWanted];
+  std::uint32_t Ids[MostWanted];
+};
+
+/** The closest so far, any number of them: a heap with the farthest on top. */
+class ClosestMany
+{
+public:
+  static constexpr bool HasFixedBall = false;
+
+  ClosestMany(std::size_t wanted, std::vector<FoundPoint>& found)
+    : Wanted(wanted)
+    , Found(found)
+  {
+  }
+  double GetBound2() const { return this->Bound2; }
+  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (dist2[i] <= this->Bound2)
+      {
+        this->Add({ dist2[i], ids[i] });
+      }
+    }
+  }
+  void PutInOrder() { std::sort_heap(this->Found.begin(), this->Found.end()); }
+
+private:
+  void Add(const FoundPoint& point)
+  {
+    if (this->Found.size() == this->Wanted)
+    {
+      if (!(point < this->Found.front()))
+      {
+        return;
+      }
+      std::pop_heap(this->Found.begin(), this->Found.end());
+      this->Found.pop_back();
+    }
+    this->Found.push_back(point);
+    std::push_heap(this->Found.begin(), this->Found.end());
+    if (this->Found.size() == this->Wanted)
+    {
+      this->Bound2 = this->Found.front().Dist2;
+    }
+  }
+
+  std::size_t Wanted;
+  double Bound2 = std::numeric_limits<double>::infinity();
+  std::vector<FoundPoint>& Found;
+};
+
+/** All that is within a fixed radius. */
+class AllWithin
+{
+public:
+  static constexpr bool HasFixedBall = true;
+
+  AllWithin(double radius2, std::vector<std::uint32_t>& found)
+    : Radius2(radius2)
+    , Found(found)
+  {
+  }
+  double GetBound2() const { return this->Radius2; }
+  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  {
+    const std::size_t before = this->Found.size();
+    this->Found.resize(before + count);
+    std::uint32_t* end = this->Found.data() + before;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      *end = ids[i];
+      end += dist2[i] <= this->Radius2 ? 1 : 0;
+    }
+    this->Found.resize(static_cast<std::size_t>(end - this->Found.data()));
+  }
+  void AddAll(const std::uint32_t* ids, std::size_t count)
+  {
+    this->Found.insert(this->Found.end(), ids, ids + count);
+  }
+
+private:
+  double Radius2;
+  std::vector<std::uint32_t>& Found;
+};
+}
+
+#endif

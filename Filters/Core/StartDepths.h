@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_StartDepths_h
+#define hashedoctree_StartDepths_h
+
+#include "DepthStatistics.h"
+#include "Octree.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hashedoctree
+{
+/**
+ * Where direct searches in a tree start, by position. All models but Local have one start depth for
+ * the whole tree. Local has one for each cell of a coarse grid, the weighted median of the leaves
+ * in that cell, so that where leaves lie at different depths in different places (the mixed models
+ * that the paper ends with) each place has its own; a coarse cell inside one leaf takes that leaf's
+ * depth. There the Points model counts an empty leaf as one point.
+ *
+ * Immutable; thread safe.
+ */
+template <int Dim>
+class StartDepths
+{
+public:
+  /** Depth of the coarse cells: at most 2^12 of them, one byte each. */
+  static constexpr int LocalDepth = 12 / Dim;
+
+  /** All searches start at the root. */
+  StartDepths() = default;
+  /** O(1), of the Local model O(nodes). */
+  StartDepths(const Octree<Dim>& tree, const StartDepthOptions& options);
+
+  /** The depth at which the search for a position starts, given its key at MaxDepth. */
+  int Get(MortonKey<Dim> key) const
+  {
+    return this->Local.empty() ? this->Everywhere : this->Local[GetCoarseCell(key)];
+  }
+  /** The depth for the whole tree; of the Local model the one that Median has. */
+  int GetOfTree() const { return this->Everywhere; }
+
+private:
+  static std::size_t GetCoarseCell(MortonKey<Dim> key)
+  {
+    return static_cast<std::size_t>(key.AtDepth(LocalDepth).GetValue()) ^
+      (std::size_t(1) << (Dim * LocalDepth));
+  }
+  void ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequency);
+
+  int Everywhere = 0;
+  std::vector<std::uint8_t> Local;
+};
+}
+
+#endif

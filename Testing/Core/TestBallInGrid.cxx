@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BallInGrid.h"
+
+#include "Dimensions.h"
+
+#include <random>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestBallInGrid : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestBallInGrid, Dimensions);
+
+TYPED_TEST(TestBallInGrid, EveryPointInTheBallIsBetweenItsCorners)
+{
+  constexpr int dim = TypeParam::value;
+  using Key = MortonKey<dim>;
+  std::mt19937_64 random(171);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const double side : { 1e-300, 1e-9, 1.0, 1e30 })
+  {
+    Position<dim> lower;
+    Position<dim> upper;
+    lower.fill(-0.3 * side);
+    upper.fill(0.7 * side);
+    const Grid<dim> grid(Box<dim>(lower, upper));
+    for (int trial = 0; trial < 500; ++trial)
+    {
+      // Centers in the root and beside it, balls of all sizes.
+      Position<dim> center;
+      Position<dim> point;
+      double dist2 = 0.0;
+      for (int axis = 0; axis < dim; ++axis)
+      {
+        center[axis] = side * (3.0 * uniform(random) - 1.5);
+        point[axis] = side * (uniform(random) - 0.3);
+        dist2 += (point[axis] - center[axis]) * (point[axis] - center[axis]);
+      }
+      BallInGrid<dim> ball(grid, center);
+      ball.SetRadius2(dist2);
+      const Cell<dim> cell = grid.GetCell(point.data());
+      const Key key = Key::FromCell(cell, Key::MaxDepth);
+      const Key home = Key::FromCell(ball.GetHome(), Key::MaxDepth);
+      ASSERT_EQ(key.AtDepth(ball.GetDepth()), home.AtDepth(ball.GetDepth()));
+      const int shift = Key::MaxDepth - ball.GetCoverDepth();
+      ASSERT_LE(ball.GetDepth(), ball.GetCoverDepth());
+      for (int axis = 0; axis < dim; ++axis)
+      {
+        ASSERT_GE(cell[axis], ball.GetLower()[axis]);
+        ASSERT_LE(cell[axis], ball.GetUpper()[axis]);
+        ASSERT_LE((ball.GetUpper()[axis] >> shift) - (ball.GetLower()[axis] >> shift), 1U);
+      }
+    }
+  }
+}
+
+TYPED_TEST(TestBallInGrid, DepthsAreTheDeepest)
+{
+  constexpr int dim = TypeParam::value;
+  using Key = MortonKey<dim>;
+  Position<dim> upper;
+  upper.fill(1.0);
+  const Grid<dim> grid(Box<dim>(Position<dim>{}, upper));
+  // Around the middle of a cell of depth 3.
+  Position<dim> center;
+  center.fill(5.0 / 16.0);
+  BallInGrid<dim> ball(grid, center);
+  for (int axis = 0; axis < dim; ++axis)
+  {
+    EXPECT_EQ(ball.GetHome()[axis], 5U << (Key::MaxDepth - 4));
+  }
+  const auto expectDepths = [&ball](double radius, int depth, int coverDepth)
+  {
+    ball.SetRadius2(radius * radius);
+    EXPECT_EQ(ball.GetDepth(), depth) << radius;
+    EXPECT_EQ(ball.GetCoverDepth(), coverDepth) << radius;
+  };
+  expectDepths(0.99 / 16.0, 3, 3);
+  expectDepths(1.01 / 16.0, 1, 2);
+  expectDepths(3.01 / 16.0, 0, 1);
+  expectDepths(0.49 / 16.0, 3, 4);
+  expectDepths(INFINITY, 0, 0);
+}
+
+TYPED_TEST(TestBallInGrid, WhatIsNoNumberReachesEverywhere)
+{
+  constexpr int dim = TypeParam::value;
+  // Cells so small that nothing can be divided by them.
+  Position<dim> upper{};
+  upper[0] = 1e-320;
+  const Grid<dim> grid(Box<dim>(Position<dim>{}, upper));
+  BallInGrid<dim> ball(grid, upper);
+  ball.SetRadius2(0.0);
+  EXPECT_EQ(ball.GetDepth(), 0);
+}

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StartDepths.h"
+
+#include "DirectSearch.h"
+#include "SampleTree.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using namespace hashedoctree;
+
+namespace
+{
+/** Half of the points fill the root, the others a corner of it that is 2^-9 as wide. */
+PointSample<3, double> MakeTwoDensities()
+{
+  std::vector<double> coordinates = MakeUniformPoints<3, double>(4000, 161);
+  const auto dense = MakeUniformPoints<3, double>(4000, 162, 0.0, 1.0 / 512.0);
+  coordinates.insert(coordinates.end(), dense.begin(), dense.end());
+  return { "two densities", coordinates };
+}
+
+MortonKey<3> GetKey(const Octree<3>& tree, const Position<3>& x)
+{
+  return tree.GetGrid().GetKey(x.data());
+}
+}
+
+TEST(TestStartDepths, OneForTheTreeByEachModel)
+{
+  const SampleTree<3, double> made(MakeTwoDensities());
+  const MortonKey<3> key = GetKey(made.Tree, { 0.4, 0.7, 0.2 });
+  for (const FrequencyModel frequency :
+    { FrequencyModel::Leaves, FrequencyModel::Points, FrequencyModel::Grid })
+  {
+    const DepthHistogram histogram = GetDepthHistogram(made.Tree.GetDepthCounts(), frequency, 3);
+    const std::map<StartDepthModel, int> expected{ { StartDepthModel::Root, 0 },
+      { StartDepthModel::Median, GetMedianDepth(histogram) },
+      { StartDepthModel::Mean, GetMeanDepth(histogram) }, { StartDepthModel::Fixed, 7 } };
+    for (const auto& [model, depth] : expected)
+    {
+      const StartDepths<3> starts(made.Tree, { model, frequency, 7 });
+      EXPECT_EQ(starts.Get(key), depth);
+      EXPECT_EQ(starts.GetOfTree(), depth);
+    }
+  }
+  EXPECT_EQ(StartDepths<3>().Get(key), 0);
+}
+
+TEST(TestStartDepths, LocalIsTheMedianOfTheLeavesNearby)
+{
+  const SampleTree<3, double> made(MakeTwoDensities());
+  constexpr int depth = StartDepths<3>::LocalDepth;
+  std::map<std::uint64_t, DepthHistogram> histograms;
+  ForEachNode(made.Tree,
+    [&](const auto& node)
+    {
+      if (!node.Internal && node.NodeKey.GetDepth() >= depth)
+      {
+        auto& histogram = histograms[node.NodeKey.GetFirstAtMaxDepth().AtDepth(depth).GetValue()];
+        histogram.resize(22);
+        ++histogram[static_cast<std::size_t>(node.NodeKey.GetDepth())];
+      }
+    });
+  const StartDepths<3> starts(made.Tree, { StartDepthModel::Local, FrequencyModel::Leaves, 0 });
+  for (const auto& [key, histogram] : histograms)
+  {
+    EXPECT_EQ(starts.Get(MortonKey<3>(key).GetFirstAtMaxDepth()), GetMedianDepth(histogram));
+  }
+  EXPECT_GT(histograms.size(), 1000U);
+  EXPECT_EQ(starts.GetOfTree(), GetMedianDepth(made.Tree.GetDepthCounts().Leaves));
+}
+
+TEST(TestStartDepths, LocalTakesTheDepthOfALeafThatIsLarger)
+{
+  const SampleTree<3, double> made(
+    PointSample<3, double>{ "corner", MakeClusteredPoints<3, double>(500, 163) });
+  for (const FrequencyModel frequency :
+    { FrequencyModel::Leaves, FrequencyModel::Points, FrequencyModel::Grid })
+  {
+    const StartDepths<3> starts(made.Tree, { StartDepthModel::Local, frequency, 0 });
+    int larger = 0;
+    for (std::uint64_t cell = 0; cell < 4096; ++cell)
+    {
+      const MortonKey<3> key = MortonKey<3>(4096 + cell).GetFirstAtMaxDepth();
+      const auto leaf = FindLeaf(made.Tree, key, 0);
+      if (leaf.Key.GetDepth() <= StartDepths<3>::LocalDepth)
+      {
+        EXPECT_EQ(starts.Get(key), leaf.Key.GetDepth());
+        ++larger;
+      }
+    }
+    EXPECT_GT(larger, 100);
+  }
+}
+
+TEST(TestStartDepths, LocalCostsLessWhereDensityVaries)
+{
+  const SampleTree<3, double> made(MakeTwoDensities());
+  const StartDepths<3> median(made.Tree, {});
+  const StartDepths<3> local(made.Tree, { StartDepthModel::Local, FrequencyModel::Leaves, 0 });
+  std::uint64_t medianCost = 0;
+  std::uint64_t localCost = 0;
+  ForEachNode(made.Tree,
+    [&](const auto& node)
+    {
+      if (!node.Internal)
+      {
+        const MortonKey<3> key = node.NodeKey.GetFirstAtMaxDepth();
+        medianCost += CountExaminedNodes(made.Tree, key, median.Get(key));
+        localCost += CountExaminedNodes(made.Tree, key, local.Get(key));
+      }
+    });
+  EXPECT_LT(localCost, medianCost);
+}
+
+TEST(TestStartDepths, TreesOfOneLeaf)
+{
+  for (const std::size_t count : { 0U, 1U })
+  {
+    const SampleTree<3, double> made(
+      PointSample<3, double>{ "few", MakeUniformPoints<3, double>(count, 164) });
+    const StartDepths<3> starts(made.Tree, { StartDepthModel::Local, FrequencyModel::Points, 0 });
+    EXPECT_EQ(starts.Get(MortonKey<3>::Root().GetLastAtMaxDepth()), 0);
+  }
+}
