@@ -2,6 +2,7 @@
 #include "AlgorithmExecution.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
 
@@ -35,6 +36,16 @@ Execution MakeExecution(vtkAlgorithm* algorithm)
     {
       algorithm->UpdateProgress(fraction);
       return !IsAborted(algorithm);
+    });
+}
+
+Execution MakeExecution(vtkObject* object, const bool& isAborted)
+{
+  return Execution(RunOnThreads,
+    [object, &isAborted](double fraction)
+    {
+      object->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
+      return !isAborted;
     });
 }
 

@@ -5,12 +5,17 @@
 #include "Execution.h"
 
 class vtkAlgorithm;
+class vtkObject;
 
 namespace hashedoctree
 {
 /** What a vtkAlgorithm lends to the core while it runs: vtkSMPTools as threads, UpdateProgress(),
  * and the abort flag. Private to the module. */
 Execution MakeExecution(vtkAlgorithm* algorithm);
+
+/** The same of an object that is no algorithm: ProgressEvent with the fraction done, after which
+ * the flag is looked at. */
+Execution MakeExecution(vtkObject* object, const bool& isAborted);
 
 /** vtkSMPTools as threads, and no reports, for what no algorithm runs. */
 Execution MakeExecution();

@@ -17,7 +17,17 @@ PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
     this->CopyPoints([dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, execution);
     return;
   }
-  vtkDataArray* data = pointSet->GetPoints()->GetData();
+  this->ViewOrCopy(pointSet->GetPoints()->GetData(), execution);
+}
+
+PointsAdaptor::PointsAdaptor(vtkDataArray* data, const Execution& execution)
+  : Count(static_cast<std::size_t>(data->GetNumberOfTuples()))
+{
+  this->ViewOrCopy(data, execution);
+}
+
+void PointsAdaptor::ViewOrCopy(vtkDataArray* data, const Execution& execution)
+{
   if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(data))
   {
     this->Floats = floats->GetPointer(0);

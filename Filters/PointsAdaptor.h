@@ -5,12 +5,14 @@
 #include "Buffer.h"
 #include "PointSelection.h"
 
+class vtkDataArray;
 class vtkDataSet;
 
 namespace hashedoctree
 {
 /**
- * The bridge from the points of a vtkDataSet to the core's point spans. Arrays of float or double
+ * The bridge from the points of a vtkDataSet, or an array of three components, to the core's point
+ * spans. Arrays of float or double
  * tuples are viewed where they are; any other layout or type, and points that no array holds, are
  * copied to doubles. The points must outlive the adaptor and not change meanwhile. Private to the
  * module.
@@ -20,6 +22,7 @@ class PointsAdaptor
 public:
   /** Throws Interrupted while it copies. */
   PointsAdaptor(vtkDataSet* dataSet, const Execution& execution);
+  PointsAdaptor(vtkDataArray* data, const Execution& execution);
 
   /** Calls function(span) with a PointSpan<3, float> or PointSpan<3, double>. */
   template <typename Function>
@@ -36,6 +39,7 @@ public:
   }
 
 private:
+  void ViewOrCopy(vtkDataArray* data, const Execution& execution);
   /** Calls getPoint(i, x) for each point. */
   template <typename GetPoint>
   void CopyPoints(const GetPoint& getPoint, const Execution& execution);

@@ -2,18 +2,22 @@
 #include "vtkHashedOctreePointLocator.h"
 
 #include "AlgorithmExecution.h"
-#include "DepthStatistics.h"
+#include "DirectSearch.h"
+#include "LeafNumbers.h"
 #include "OctreeCells.h"
-#include "PointSearch.h"
+#include "PointBatch.h"
 #include "PointsAdaptor.h"
 
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <new>
 #include <variant>
@@ -64,6 +68,12 @@ private:
   }
   std::vector<T>& Values = GetOfThread();
 };
+
+void SetSize(vtkDataArray* array, int components, std::size_t tuples)
+{
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+}
 }
 
 /** The tree over the points, in the precision that they came in. */
@@ -71,6 +81,7 @@ class vtkHashedOctreePointLocator::Index
 {
 public:
   std::variant<PointTree<3, float>, PointTree<3, double>> Points;
+  LeafNumbers<3> Leaves;
 
   /** Calls function(tree). */
   template <typename Function>
@@ -93,6 +104,16 @@ public:
   {
     return this->Visit(
       [](const auto& tree) -> const StartDepths<3>& { return tree.GetStartDepths(); });
+  }
+
+  /** Calls function(key at MaxDepth) for a position that has a leaf; else gives `nothing`. */
+  template <typename Function, typename Value>
+  Value AtLeafOf(const double x[3], Value nothing, const Function& function) const
+  {
+    const Octree<3>& tree = this->GetOctree();
+    const bool hasLeaf = tree.GetNumberOfPoints() > 0 &&
+      std::all_of(x, x + 3, [](double c) { return std::isfinite(c); });
+    return hasLeaf ? static_cast<Value>(function(tree.GetGrid().GetKey(x))) : nothing;
   }
 };
 
@@ -222,6 +243,7 @@ void vtkHashedOctreePointLocator::FillIndex()
                     << " points have a coordinate that is not finite; they are left out.");
   }
   const Octree<3>& octree = this->Tree->GetOctree();
+  this->Tree->Leaves = LeafNumbers<3>(octree);
   if (octree.GetNumberOfPoints() > 0)
   {
     this->Level = octree.GetDeepestDepth();
@@ -302,6 +324,139 @@ void vtkHashedOctreePointLocator::FindPointsWithinRadius(
   found.CopyTo(result, [](std::uint32_t id) { return id; });
 }
 
+void vtkHashedOctreePointLocator::FindPointsWithinBox(const double bounds[6], vtkIdList* result)
+{
+  const Box<3> box({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] });
+  Found<std::uint32_t> found;
+  this->GetIndex().Search([&](const auto& search) { search.FindWithin(box, found.Get()); });
+  found.CopyTo(result, [](std::uint32_t id) { return id; });
+}
+
+template <typename Function>
+bool vtkHashedOctreePointLocator::RunBatch(
+  vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function)
+{
+  if (std::count(outputs.begin(), outputs.end(), nullptr) > 0)
+  {
+    vtkErrorMacro("A batch needs an array for each of its outputs.");
+    return false;
+  }
+  for (vtkDataArray* output : outputs)
+  {
+    output->Initialize();
+  }
+  if (queries == nullptr || queries->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("A batch of queries must be an array of three components, one tuple for each.");
+    return false;
+  }
+  const Index& index = this->GetIndex();
+  this->BatchIsAborted = false;
+  const Execution execution = MakeExecution(this, this->BatchIsAborted);
+  try
+  {
+    const PointsAdaptor positions(queries, execution);
+    index.Visit(
+      [&](const auto& tree)
+      {
+        const PointBatch batch(tree, execution);
+        positions.Visit([&](auto span) { function(batch, span); });
+      });
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro("There is not enough memory for what the batch finds; ask for less at a time.");
+  }
+  catch (const Interrupted&)
+  {
+  }
+  for (vtkDataArray* output : outputs)
+  {
+    output->Initialize();
+  }
+  return false;
+}
+
+bool vtkHashedOctreePointLocator::FindClosestPoints(
+  vtkDataArray* queries, vtkIdTypeArray* ids, vtkDoubleArray* dist2)
+{
+  return this->FindClosestNPoints(1, queries, ids, dist2);
+}
+
+bool vtkHashedOctreePointLocator::FindClosestNPoints(
+  int count, vtkDataArray* queries, vtkIdTypeArray* ids, vtkDoubleArray* dist2)
+{
+  return this->RunBatch(queries, { ids, dist2 },
+    [&](const auto& batch, auto positions)
+    {
+      if (count > 0)
+      {
+        SetSize(ids, count, positions.Count);
+        SetSize(dist2, count, positions.Count);
+        batch.FindClosest(
+          positions, static_cast<std::size_t>(count), ids->GetPointer(0), dist2->GetPointer(0));
+      }
+    });
+}
+
+bool vtkHashedOctreePointLocator::FindPointsWithinRadius(double radius, vtkDataArray* queries,
+  vtkIdTypeArray* offsets, vtkIdTypeArray* ids, vtkDoubleArray* dist2)
+{
+  return this->RunBatch(queries, { offsets, ids, dist2 },
+    [&](const auto& batch, auto positions)
+    {
+      const auto lists = batch.FindWithin(positions, radius);
+      SetSize(offsets, 1, positions.Count + 1);
+      SetSize(ids, 1, lists.GetNumberOfPoints());
+      SetSize(dist2, 1, lists.GetNumberOfPoints());
+      lists.CopyTo(offsets->GetPointer(0), ids->GetPointer(0), dist2->GetPointer(0));
+    });
+}
+
+vtkIdType vtkHashedOctreePointLocator::GetLeafId(const double x[3])
+{
+  const Index& index = this->GetIndex();
+  return index.AtLeafOf(x, vtkIdType(-1),
+    [&index](MortonKey<3> key) -> vtkIdType
+    {
+      const Octree<3>& tree = index.GetOctree();
+      if (!tree.IsRootInternal())
+      {
+        return 0;
+      }
+      const FoundLeaf<3> leaf =
+        FindLeaf(tree, key, index.GetStartDepths().Get(key), EmptyOctants::Missing);
+      return leaf.Exists ? static_cast<vtkIdType>(index.Leaves.Get(tree.GetBlock(leaf.ParentBlock),
+                             leaf.ParentBlock, leaf.Key.GetOctant()))
+                         : -1;
+    });
+}
+
+int vtkHashedOctreePointLocator::GetDepth(const double x[3])
+{
+  const Index& index = this->GetIndex();
+  return index.AtLeafOf(x, -1,
+    [&index](MortonKey<3> key)
+    { return FindLeaf(index.GetOctree(), key, index.GetStartDepths().Get(key)).Key.GetDepth(); });
+}
+
+vtkIdType vtkHashedOctreePointLocator::GetHitCost(const double x[3])
+{
+  const Index& index = this->GetIndex();
+  return index.AtLeafOf(x, vtkIdType(0),
+    [&index](MortonKey<3> key)
+    { return CountExaminedNodes(index.GetOctree(), key, index.GetStartDepths().Get(key)); });
+}
+
+vtkIdType vtkHashedOctreePointLocator::GetClosestPointCost(const double x[3])
+{
+  return this->GetIndex().Search(
+    [x](const auto& search) {
+      return static_cast<vtkIdType>(search.CountNodesForClosest({ x[0], x[1], x[2] }));
+    });
+}
+
 void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData* pd)
 {
   const Index& index = this->GetIndex();
@@ -331,9 +486,9 @@ int vtkHashedOctreePointLocator::GetStartDepth() const
 
 vtkIdType vtkHashedOctreePointLocator::GetIndexBytes() const
 {
-  return this->Tree
-    ? static_cast<vtkIdType>(this->Tree->Visit([](const auto& tree) { return tree.GetBytes(); }))
-    : 0;
+  return this->Tree ? static_cast<vtkIdType>(this->Tree->Leaves.GetBytes() +
+                        this->Tree->Visit([](const auto& tree) { return tree.GetBytes(); }))
+                    : 0;
 }
 
 void vtkHashedOctreePointLocator::PrintSelf(ostream& os, vtkIndent indent)

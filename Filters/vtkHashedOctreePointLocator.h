@@ -53,7 +53,12 @@
 #include "vtkAbstractPointLocator.h"
 #include "vtkVersionMacros.h" // For the version that brought ForceBuildLocator()
 
-#include <memory> // For std::unique_ptr
+#include <initializer_list> // For the outputs of a batch
+#include <memory>           // For std::unique_ptr
+
+class vtkDataArray;
+class vtkDoubleArray;
+class vtkIdTypeArray;
 
 class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreePointLocator : public vtkAbstractPointLocator
 {
@@ -89,7 +94,7 @@ public:
   };
 
   ///@{
-  /** Points that a leaf above MaxDepth may hold. At least 1; default 32. */
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 48. */
   vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaxPointsPerLeaf, int);
   ///@}
@@ -137,6 +142,51 @@ public:
    */
   void FindPointsWithinRadius(double radius, const double x[3], vtkIdList* result) override;
 
+  /** Ids of the points in a box given as (xmin, xmax, ymin, ymax, zmin, zmax), those on its faces
+   * included, in no order to rely on. Sides may be infinite; none for a box that is inside out or
+   * has a side that is NaN. Thread safe after a build. */
+  void FindPointsWithinBox(const double bounds[6], vtkIdList* result);
+
+  ///@{
+  /**
+   * Many searches at once, on the threads of vtkSMPTools. Every search finds what the one of the
+   * same name for one position finds. `queries` has three components, of any type; the other
+   * arrays are resized, and must not be the same. Fires ProgressEvent with the fraction done; an
+   * observer that calls AbortBatch() ends the batch. Returns whether all was done: if aborted, or
+   * after an error (no three components, not enough memory), all outputs are empty.
+   * - FindClosestPoints(): one id and squared distance for each position.
+   * - FindClosestNPoints(): `count` components for each position, by distance, then by id.
+   *   Both: -1 and infinity where there is no (other) point; nothing for a count of 0 or less.
+   * - FindPointsWithinRadius(): those of position i, by distance, then by id, stand at offsets[i]
+   * to offsets[i + 1] - 1 in `ids` and `dist2`; `offsets` has one value more than there are
+   * positions. Call from one thread at a time; builds the tree if it must.
+   */
+  bool FindClosestPoints(vtkDataArray* queries, vtkIdTypeArray* ids, vtkDoubleArray* dist2);
+  bool FindClosestNPoints(
+    int count, vtkDataArray* queries, vtkIdTypeArray* ids, vtkDoubleArray* dist2);
+  bool FindPointsWithinRadius(double radius, vtkDataArray* queries, vtkIdTypeArray* offsets,
+    vtkIdTypeArray* ids, vtkDoubleArray* dist2);
+  void AbortBatch() { this->BatchIsAborted = true; }
+  ///@}
+
+  ///@{
+  /**
+   * The leaf that holds x, or is nearest to it on each axis where x lies outside the root.
+   * - GetLeafId(): the cell that it is in GenerateRepresentation(-1), or -1 if it holds no point.
+   * - GetDepth(): its depth, 0 for the root.
+   * - GetHitCost(): how many nodes the search for it examines from the start depth there, which is
+   *   1 + |depth - start depth| (paper section 4).
+   * - GetClosestPointCost(): how many nodes FindClosestPoint() examines: looks into the hash table
+   *   and into the children of a node.
+   * -1 (the costs 0) without points, or if x is not finite. Trees in leaves at depth 21 count in
+   * the last only. Thread safe after a build.
+   */
+  vtkIdType GetLeafId(const double x[3]);
+  int GetDepth(const double x[3]);
+  vtkIdType GetHitCost(const double x[3]);
+  vtkIdType GetClosestPointCost(const double x[3]);
+  ///@}
+
   /** Builds the tree unless it is up to date or, where there is one, UseExistingSearchStructure is
    * on. O(n). */
   void BuildLocator() override;
@@ -182,15 +232,20 @@ private:
 
   /** The index, built if it must be. */
   const Index& GetIndex();
+  /** Calls function(batch, positions) for the searches of a batch; false if they were not done. */
+  template <typename Function>
+  bool RunBatch(
+    vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function);
   bool IsUpToDate();
   void FillIndex();
   void SetStartDepthProperty(int& property, int value);
   void ChooseStartDepths();
 
-  int MaxPointsPerLeaf = 32;
+  int MaxPointsPerLeaf = 48;
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
+  bool BatchIsAborted = false;
   std::unique_ptr<Index> Tree;
 };
 

@@ -12,8 +12,9 @@ namespace hashedoctree
 // - GetBound2(): the squared radius beyond which points are of no use to it, now;
 // - Add(dist2, least, ids, count): takes points of a leaf, their squared distances and the least of
 //   these;
-// - HasFixedBall: whether the bound never changes. Then it also has
-// - AddAll(ids, count): takes points that are known to be within.
+// - HasFixedBall: whether the bound never changes;
+// - TakesWholeNodes: whether it also has
+// - AddAll(ids, count): takes points that are known to be within. Only with a fixed ball.
 // Private to PointSearch.cxx.
 
 /** The closest point so far. */
@@ -21,6 +22,7 @@ class ClosestOne
 {
 public:
   static constexpr bool HasFixedBall = false;
+  static constexpr bool TakesWholeNodes = false;
 
   explicit ClosestOne(double radius2)
     : Dist2(radius2)
@@ -56,6 +58,7 @@ class ClosestFew
 {
 public:
   static constexpr bool HasFixedBall = false;
+  static constexpr bool TakesWholeNodes = false;
   static constexpr std::size_t MostWanted = 64;
 
   /** `wanted` in [1, MostWanted]. */
@@ -129,6 +132,7 @@ class ClosestMany
 {
 public:
   static constexpr bool HasFixedBall = false;
+  static constexpr bool TakesWholeNodes = false;
 
   ClosestMany(std::size_t wanted, std::vector<FoundPoint>& found)
     : Wanted(wanted)
@@ -173,11 +177,41 @@ private:
   std::vector<FoundPoint>& Found;
 };
 
+/** All that is within a fixed radius, with the distances. */
+class AllMeasured
+{
+public:
+  static constexpr bool HasFixedBall = true;
+  static constexpr bool TakesWholeNodes = false;
+
+  AllMeasured(double radius2, std::vector<FoundPoint>& found)
+    : Radius2(radius2)
+    , Found(found)
+  {
+  }
+  double GetBound2() const { return this->Radius2; }
+  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (dist2[i] <= this->Radius2)
+      {
+        this->Found.push_back({ dist2[i], ids[i] });
+      }
+    }
+  }
+
+private:
+  double Radius2;
+  std::vector<FoundPoint>& Found;
+};
+
 /** All that is within a fixed radius. */
 class AllWithin
 {
 public:
   static constexpr bool HasFixedBall = true;
+  static constexpr bool TakesWholeNodes = true;
 
   AllWithin(double radius2, std::vector<std::uint32_t>& found)
     : Radius2(radius2)

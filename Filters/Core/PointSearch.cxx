@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSearch.h"
 
+#include "PointBoxWalk.h"
 #include "PointCollectors.h"
 #include "PointWalk.h"
 
@@ -78,6 +79,36 @@ void PointSearch<Dim, Real>::FindClosest(
     ClosestMany closest(count, found);
     PointWalk<Dim, Real, ClosestMany, NoCount>(this->Tree, x, closest, nodes).Search(count);
     closest.PutInOrder();
+  }
+}
+
+template <int Dim, typename Real>
+void PointSearch<Dim, Real>::FindWithin(
+  const Position<Dim>& x, double radius, std::vector<FoundPoint>& found) const
+{
+  found.clear();
+  if (!IsFinite<Dim>(x) || !(radius >= 0.0) || this->Tree.GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  AllMeasured within(radius * radius, found);
+  NoCount nodes;
+  PointWalk<Dim, Real, AllMeasured, NoCount>(this->Tree, x, within, nodes).Search(1);
+}
+
+template <int Dim, typename Real>
+void PointSearch<Dim, Real>::FindWithin(
+  const Box<Dim>& box, std::vector<std::uint32_t>& found) const
+{
+  found.clear();
+  bool isBox = this->Tree.GetNumberOfPoints() != 0;
+  for (int axis = 0; axis < Dim; ++axis)
+  {
+    isBox &= box.Lower[axis] <= box.Upper[axis];
+  }
+  if (isBox)
+  {
+    PointBoxWalk<Dim, Real>(this->Tree, box, found).Search();
   }
 }
 

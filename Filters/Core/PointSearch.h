@@ -63,6 +63,14 @@ public:
    * the position only. `found` is replaced. No point for a radius that is negative or no number. */
   void FindWithin(const Position<Dim>& x, double radius, std::vector<std::uint32_t>& found) const;
 
+  /** The same with their squared distances. */
+  void FindWithin(const Position<Dim>& x, double radius, std::vector<FoundPoint>& found) const;
+
+  /** The points in a box, those on its faces included, in an order that depends on the points and
+   * the box only. `found` is replaced. No point for a box whose upper corner lies below its lower
+   * one, or with a corner that is no number; corners may be infinite. */
+  void FindWithin(const Box<Dim>& box, std::vector<std::uint32_t>& found) const;
+
 private:
   const PointTree<Dim, Real>& Tree;
 };

@@ -274,7 +274,7 @@ private:
     // Where distances overflow, the limit is no number, and nothing is left out.
     const auto limit = static_cast<float>(this->GetReach2() / scale * (1.0 + error));
     unsigned left = block.Occupied & this->Kernels.ToBoxes(boxes, visit.Steps.data(), limit, dist2);
-    if constexpr (Collector::HasFixedBall)
+    if constexpr (Collector::TakesWholeNodes)
     {
       left = this->TakeWholeNodes(visit, block, boxes, left);
     }

@@ -63,6 +63,7 @@ protected:
       }
       tree.SetStartDepths({ StartDepthModel::Local, static_cast<FrequencyModel>(query % 3), 0 });
       this->ExpectFound(PointSearch<Dim, Real>(tree), x, all);
+      this->ExpectFoundInBox(tree, sample, x, point);
     }
   }
 
@@ -97,6 +98,48 @@ protected:
     std::sort(found.begin(), found.end());
     std::vector<std::int64_t> expected = GetIds(all, CountWithin(all, radius));
     std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(found, expected);
+    std::vector<FoundPoint> measured;
+    search.FindWithin(x, radius, measured);
+    std::sort(measured.begin(), measured.end());
+    ASSERT_EQ(measured.size(), expected.size());
+    for (std::size_t i = 0; i < measured.size(); ++i)
+    {
+      ASSERT_EQ(measured[i].Id, all[i].Id);
+      ASSERT_EQ(measured[i].Dist2, all[i].Dist2);
+    }
+  }
+
+  /** Boxes whose corners are points, or positions, so that there are points on the faces. */
+  template <typename Real>
+  void ExpectFoundInBox(const PointTree<Dim, Real>& tree, const PointSample<Dim, Real>& sample,
+    const Position<Dim>& x, const Position<Dim>& point)
+  {
+    Box<Dim> box(x, x);
+    box.Add({ point, point });
+    if (this->Random() % 8 == 0)
+    {
+      box.Lower[this->Random() % Dim] = -INFINITY;
+    }
+    std::vector<std::uint32_t> expected;
+    const auto points = sample.GetSpan();
+    for (std::size_t i = 0; i < points.Count; ++i)
+    {
+      bool isIn = true;
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        // Neither NaN nor, below, infinity.
+        isIn &= points[i][axis] >= box.Lower[axis] && points[i][axis] <= box.Upper[axis];
+        isIn &= std::abs(static_cast<double>(points[i][axis])) <= Grid<Dim>::MaxCoordinate;
+      }
+      if (isIn)
+      {
+        expected.push_back(static_cast<std::uint32_t>(i));
+      }
+    }
+    std::vector<std::uint32_t> found{ 7 };
+    PointSearch<Dim, Real>(tree).FindWithin(box, found);
+    std::sort(found.begin(), found.end());
     ASSERT_EQ(found, expected);
   }
 
@@ -192,6 +235,14 @@ TEST(TestPointSearchFacts, NothingToFind)
   EXPECT_TRUE(within.empty());
   search.FindWithin(inside, NAN, within);
   EXPECT_TRUE(within.empty());
+  for (const Position<3>& upper : { Position<3>{ 0.4, 1.0, 1.0 }, Position<3>{ 1.0, NAN, 1.0 } })
+  {
+    within.assign(1, 7);
+    search.FindWithin(Box<3>(inside, upper), within);
+    EXPECT_TRUE(within.empty());
+  }
+  search.FindWithin(Box<3>({ -INFINITY, -1.0, -1.0 }, { INFINITY, 2.0, INFINITY }), within);
+  EXPECT_EQ(within.size(), 100U);
   search.FindWithin(inside, INFINITY, within);
   EXPECT_EQ(within.size(), 100U);
   search.FindClosest(inside, 1000, few);

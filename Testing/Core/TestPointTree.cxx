@@ -105,7 +105,7 @@ TYPED_TEST(TestPointTree, HoldsThePointsAndTheirBoxes)
 
 TEST(TestPointTreeFacts, TakesAtMost32BytesPerPoint)
 {
-  // Beside the input: floats, in leaves of 32 as the locator has them.
+  // Beside the input: floats, in leaves of 48 as the locator has them.
   for (const auto& coordinates : { MakeUniformPoints<3, float>(100000, 142),
          MakeSpherePoints<3, float>(100000, 143), MakeClusteredPoints<3, float>(100000, 144) })
   {

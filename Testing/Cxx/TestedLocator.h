@@ -91,6 +91,17 @@ public:
     return ids;
   }
 
+  /** Sorted by id. */
+  Ids FindWithinBox(const Position& lower, const Position& upper)
+  {
+    this->MakeListDirty();
+    const double bounds[6] = { lower[0], upper[0], lower[1], upper[1], lower[2], upper[2] };
+    this->Locator->FindPointsWithinBox(bounds, this->List);
+    Ids ids = this->GetList();
+    std::sort(ids.begin(), ids.end());
+    return ids;
+  }
+
   /** Every query must find nothing, whatever it is asked. */
   void ExpectToFindNothing()
   {
@@ -104,6 +115,7 @@ public:
         EXPECT_EQ(dist2, 77.0);
         EXPECT_EQ(this->FindWithin(radius, x), Ids());
       }
+      EXPECT_EQ(this->FindWithinBox({ -1e300, -1e300, -1e300 }, { 1e300, 1e300, 1e300 }), Ids());
       for (const int count : { -1, 0, 1, 5, VTK_INT_MAX })
       {
         EXPECT_EQ(this->FindClosest(count, x), Ids());

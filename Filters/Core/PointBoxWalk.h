@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_PointBoxWalk_h
+#define hashedoctree_PointBoxWalk_h
+
+#include "PointTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace hashedoctree
+{
+/**
+ * One search for the points in a box, faces included: down from the smallest node that holds the
+ * box, reached directly, past children whose tight boxes lie outside, taking those inside as a
+ * whole. Private to PointSearch.cxx.
+ */
+template <int Dim, typename Real>
+class PointBoxWalk
+{
+public:
+  PointBoxWalk(
+    const PointTree<Dim, Real>& tree, const Box<Dim>& box, std::vector<std::uint32_t>& found)
+    : Tree(tree)
+    , Nodes(tree.GetOctree())
+    , Wanted(box)
+    , Found(found)
+  {
+    const Grid<Dim>& grid = this->Nodes.GetGrid();
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      this->Lower[axis] = (box.Lower[axis] - grid.GetLower()[axis]) / grid.GetSide() * Size;
+      this->Upper[axis] = (box.Upper[axis] - grid.GetLower()[axis]) / grid.GetSide() * Size;
+    }
+  }
+
+  void Search()
+  {
+    if (!this->Nodes.IsRootInternal())
+    {
+      this->ScanLeaf(0, static_cast<std::uint32_t>(this->Nodes.GetNumberOfPoints()));
+      return;
+    }
+    const Grid<Dim>& grid = this->Nodes.GetGrid();
+    const Key key = grid.GetKey(this->Wanted.Lower.data());
+    int depth = Key::GetCommonDepth(key, grid.GetKey(this->Wanted.Upper.data()));
+    depth = std::min(depth, Key::MaxDepth - 1);
+    const typename Octree<Dim>::Entry* entry = nullptr;
+    while (
+      depth > 0 && (entry = this->Nodes.GetTable().Find(key.AtDepth(depth).GetValue())) == nullptr)
+    {
+      --depth;
+    }
+    this->Descend(depth > 0 ? entry->Block : 0);
+  }
+
+private:
+  using Key = MortonKey<Dim>;
+  static constexpr double Size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
+  /** More than all rounding of places in the root can add up to, in cells of MaxDepth. */
+  static constexpr double RoomForRounding = 1e-5;
+
+  /** How a child's box lies to the wanted one. */
+  enum class Side
+  {
+    Outside,
+    Across,
+    Inside
+  };
+
+  Side GetSide(const ChildBoxes<Dim>& boxes, unsigned octant, Key parent) const
+  {
+    const double width = std::ldexp(1.0, Key::MaxDepth - parent.GetDepth());
+    const double step = width / ChildBoxes<Dim>::Steps;
+    const Cell<Dim> cell = parent.GetCell();
+    bool isInside = true;
+    bool isOutside = false;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const double origin = width * cell[axis];
+      const double lower = origin + step * boxes.Lower[axis][octant] - RoomForRounding;
+      const double upper = origin + step * (boxes.Upper[axis][octant] + 1) + RoomForRounding;
+      isOutside |= upper < this->Lower[axis] || lower > this->Upper[axis];
+      isInside &= lower >= this->Lower[axis] && upper <= this->Upper[axis];
+    }
+    return isOutside ? Side::Outside : isInside ? Side::Inside : Side::Across;
+  }
+
+  void Descend(std::uint32_t number)
+  {
+    const auto& block = this->Nodes.GetBlock(number);
+    const Key key = this->Nodes.GetBlockKey(number);
+    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+    {
+      if ((block.Occupied >> octant & 1U) == 0)
+      {
+        continue;
+      }
+      const Side side = this->GetSide(this->Tree.GetChildBoxes(number), octant, key);
+      const std::uint32_t first = block.FirstPoint[octant];
+      const std::uint32_t last = block.FirstPoint[octant + 1];
+      if (side == Side::Inside)
+      {
+        this->Found.insert(
+          this->Found.end(), this->Tree.GetIds() + first, this->Tree.GetIds() + last);
+      }
+      else if (side == Side::Across && (block.Internal >> octant & 1U) != 0)
+      {
+        this->Descend(Octree<Dim>::GetChildBlock(block, octant));
+      }
+      else if (side == Side::Across)
+      {
+        this->ScanLeaf(first, last);
+      }
+    }
+  }
+
+  void ScanLeaf(std::uint32_t first, std::uint32_t last)
+  {
+    if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
+    {
+      PointBoxWalk(*nested, this->Wanted, this->Found).Search();
+      return;
+    }
+    const Real* coordinates = this->Tree.GetLeafCoordinates(first);
+    const std::size_t count = last - first;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      bool isIn = true;
+      for (std::size_t axis = 0; axis < Dim; ++axis)
+      {
+        const auto x = static_cast<double>(coordinates[axis * count + i]);
+        isIn &= x >= this->Wanted.Lower[axis] && x <= this->Wanted.Upper[axis];
+      }
+      if (isIn)
+      {
+        this->Found.push_back(this->Tree.GetIds()[first + i]);
+      }
+    }
+  }
+
+  const PointTree<Dim, Real>& Tree;
+  const Octree<Dim>& Nodes;
+  const Box<Dim>& Wanted;
+  std::vector<std::uint32_t>& Found;
+  Position<Dim>
+    Lower; ///< Of the wanted box, from the lower corner of the root, in cells of MaxDepth.
+  Position<Dim> Upper;
+};
+}
+
+#endif

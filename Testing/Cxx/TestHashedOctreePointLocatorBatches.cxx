@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "TestedLocator.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkSMPTools.h"
+#include "vtkSOADataArrayTemplate.h"
+
+namespace
+{
+/** The outputs of a batch, with something in them that must not stay. */
+struct Outputs
+{
+  vtkNew<vtkIdTypeArray> Offsets;
+  vtkNew<vtkIdTypeArray> Ids;
+  vtkNew<vtkDoubleArray> Dist2;
+
+  Outputs()
+  {
+    for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ Offsets, Ids, Dist2 })
+    {
+      array->SetNumberOfComponents(2);
+      array->InsertNextTuple2(7.0, 7.0);
+    }
+  }
+  bool AreEmpty() const
+  {
+    return this->Ids->GetNumberOfValues() == 0 && this->Dist2->GetNumberOfValues() == 0;
+  }
+};
+
+/** Positions near the points, and two that are nowhere. */
+template <typename Array>
+vtkSmartPointer<Array> MakeQueries(const std::vector<float>& coordinates, vtkIdType count)
+{
+  auto queries = vtkSmartPointer<Array>::New();
+  queries->SetNumberOfComponents(3);
+  queries->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const float* x = &coordinates[static_cast<std::size_t>(3 * i)];
+    const double y = i == 5 ? NAN : i == 6 ? INFINITY : static_cast<double>(x[1]) - 0.01;
+    queries->SetTuple3(i, static_cast<double>(x[0]) + 0.01, y, static_cast<double>(x[2]));
+  }
+  return queries;
+}
+
+void ExpectAsOneByOne(TestedLocator& locator, vtkDataArray* queries)
+{
+  Outputs one;
+  Outputs few;
+  Outputs within;
+  constexpr int count = 7;
+  constexpr double radius = 0.06;
+  ASSERT_TRUE(locator->FindClosestPoints(queries, one.Ids, one.Dist2));
+  ASSERT_TRUE(locator->FindClosestNPoints(count, queries, few.Ids, few.Dist2));
+  ASSERT_TRUE(
+    locator->FindPointsWithinRadius(radius, queries, within.Offsets, within.Ids, within.Dist2));
+  ASSERT_EQ(one.Ids->GetNumberOfTuples(), queries->GetNumberOfTuples());
+  ASSERT_EQ(one.Ids->GetNumberOfComponents(), 1);
+  ASSERT_EQ(few.Ids->GetNumberOfTuples(), queries->GetNumberOfTuples());
+  ASSERT_EQ(few.Dist2->GetNumberOfComponents(), count);
+  ASSERT_EQ(within.Offsets->GetNumberOfValues(), queries->GetNumberOfTuples() + 1);
+  ASSERT_EQ(within.Offsets->GetValue(0), 0);
+  for (vtkIdType i = 0; i < queries->GetNumberOfTuples(); ++i)
+  {
+    hashedoctree::Position<3> x;
+    queries->GetTuple(i, x.data());
+    ASSERT_EQ(one.Ids->GetValue(i), locator->FindClosestPoint(x.data()));
+    const TestedLocator::Ids closest = locator.FindClosest(count, x);
+    for (int j = 0; j < count; ++j)
+    {
+      const auto place = static_cast<std::size_t>(j);
+      ASSERT_EQ(few.Ids->GetTypedComponent(i, j), place < closest.size() ? closest[place] : -1);
+      double dist2 = INFINITY;
+      if (place < closest.size())
+      {
+        double point[3];
+        locator->GetDataSet()->GetPoint(closest[place], point);
+        dist2 = vtkMath::Distance2BetweenPoints(x.data(), point);
+      }
+      ASSERT_EQ(few.Dist2->GetTypedComponent(i, j), dist2);
+    }
+    ASSERT_EQ(one.Dist2->GetValue(i), few.Dist2->GetTypedComponent(i, 0));
+    TestedLocator::Ids ids;
+    double last = -1.0;
+    for (vtkIdType j = within.Offsets->GetValue(i); j < within.Offsets->GetValue(i + 1); ++j)
+    {
+      ids.push_back(within.Ids->GetValue(j));
+      ASSERT_GE(within.Dist2->GetValue(j), last);
+      ASSERT_LE(within.Dist2->GetValue(j), radius * radius);
+      last = within.Dist2->GetValue(j);
+    }
+    std::sort(ids.begin(), ids.end());
+    ASSERT_EQ(ids, locator.FindWithin(radius, x));
+  }
+}
+}
+
+TEST(TestHashedOctreePointLocatorBatches, FindWhatSingleSearchesFind)
+{
+  const auto coordinates = MakeUniformPoints<3, float>(5000, 181);
+  TestedLocator locator(MakePointCloud(coordinates));
+  vtkSMPTools::SetBackend("STDThread");
+  for (const int threads : { 1, 2, 8 })
+  {
+    vtkSMPTools::Initialize(threads);
+    ASSERT_NO_FATAL_FAILURE(
+      ExpectAsOneByOne(locator, MakeQueries<vtkFloatArray>(coordinates, 3000)));
+    ASSERT_NO_FATAL_FAILURE(
+      ExpectAsOneByOne(locator, MakeQueries<vtkDoubleArray>(coordinates, 1000)));
+    ASSERT_NO_FATAL_FAILURE(
+      ExpectAsOneByOne(locator, MakeQueries<vtkSOADataArrayTemplate<float>>(coordinates, 50)));
+  }
+  vtkSMPTools::Initialize(0);
+}
+
+TEST(TestHashedOctreePointLocatorBatches, FewerPointsThanAskedFor)
+{
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(3, 182)));
+  ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
+    locator, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
+}
+
+TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
+{
+  TestedLocator nothing;
+  ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
+    nothing, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(30, 182)));
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(locator, queries));
+  Outputs outputs;
+  queries->InsertNextTuple3(0.0, 0.0, 0.0);
+  EXPECT_TRUE(locator->FindClosestNPoints(0, queries, outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+}
+
+TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
+{
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(30, 182)));
+  vtkNew<vtkDoubleArray> pairs;
+  pairs->SetNumberOfComponents(2);
+  Outputs outputs;
+  EXPECT_FALSE(locator->FindClosestPoints(pairs, outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+  EXPECT_FALSE(
+    locator->FindPointsWithinRadius(1.0, nullptr, outputs.Offsets, outputs.Ids, outputs.Dist2));
+  EXPECT_FALSE(locator->FindClosestNPoints(2, pairs, nullptr, outputs.Dist2));
+  ASSERT_EQ(locator.Errors.size(), 3U);
+  EXPECT_NE(locator.Errors[0].find("three components"), std::string::npos);
+  EXPECT_NE(locator.Errors[2].find("outputs"), std::string::npos);
+  locator.Errors.clear();
+}
+
+TEST(TestHashedOctreePointLocatorBatches, TellProgressAndCanBeAborted)
+{
+  const auto coordinates = MakeUniformPoints<3, float>(60000, 184);
+  TestedLocator locator(MakePointCloud(coordinates));
+  const auto queries = MakeQueries<vtkFloatArray>(coordinates, 60000);
+  struct Observer
+  {
+    vtkHashedOctreePointLocator* Locator;
+    std::vector<double> Fractions;
+    double Stop = 2.0;
+    void Observe(vtkObject*, unsigned long, void* fraction)
+    {
+      this->Fractions.push_back(*static_cast<double*>(fraction));
+      if (this->Fractions.back() >= this->Stop)
+      {
+        this->Locator->AbortBatch();
+      }
+    }
+  } observer{ locator.Get(), {} };
+  locator->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Observe);
+  Outputs outputs;
+  EXPECT_TRUE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_GE(observer.Fractions.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(observer.Fractions.begin(), observer.Fractions.end()));
+  EXPECT_EQ(observer.Fractions.back(), 1.0);
+
+  observer.Stop = 0.5;
+  observer.Fractions.clear();
+  EXPECT_FALSE(locator->FindClosestNPoints(3, queries, outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+  EXPECT_LT(observer.Fractions.back(), 0.9);
+  EXPECT_FALSE(
+    locator->FindPointsWithinRadius(0.01, queries, outputs.Offsets, outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+  EXPECT_EQ(outputs.Offsets->GetNumberOfValues(), 0);
+
+  observer.Stop = 2.0;
+  EXPECT_TRUE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_EQ(outputs.Ids->GetNumberOfTuples(), 60000);
+}

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "TestedLocator.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+
+TEST(TestHashedOctreePointLocatorLeaves, AreThoseOfTheRepresentation)
+{
+  const auto coordinates = MakeClusteredPoints<3, double>(3000, 191);
+  TestedLocator locator(MakePointCloud(coordinates));
+  locator->SetMaxPointsPerLeaf(4);
+  vtkNew<vtkPolyData> leaves;
+  locator->GenerateRepresentation(-1, leaves);
+  vtkDataArray* depths = leaves->GetCellData()->GetArray("Depth");
+  vtkDataArray* costs = leaves->GetCellData()->GetArray("HitCost");
+  std::vector<bool> isSeen(static_cast<std::size_t>(leaves->GetNumberOfCells()), false);
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+  {
+    const vtkIdType leaf = locator->GetLeafId(&coordinates[i]);
+    ASSERT_GE(leaf, 0);
+    ASSERT_LT(leaf, leaves->GetNumberOfCells());
+    isSeen[static_cast<std::size_t>(leaf)] = true;
+    double bounds[6];
+    leaves->GetCellBounds(leaf, bounds);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      ASSERT_GE(coordinates[i + axis], bounds[2 * axis] - 1e-9);
+      ASSERT_LE(coordinates[i + axis], bounds[2 * axis + 1] + 1e-9);
+    }
+    ASSERT_EQ(locator->GetDepth(&coordinates[i]), depths->GetTuple1(leaf));
+    ASSERT_EQ(locator->GetHitCost(&coordinates[i]), costs->GetTuple1(leaf));
+  }
+  EXPECT_EQ(std::count(isSeen.begin(), isSeen.end(), false), 0);
+}
+
+TEST(TestHashedOctreePointLocatorLeaves, WithoutPointsHaveNoNumber)
+{
+  // All points lie in one half of the root's cells.
+  TestedLocator locator(
+    MakePointCloud(std::vector<double>{ 0, 0, 0, 1, 0, 0, 0.1, 0.1, 0.1, 0.9, 0.1, 0.1 }));
+  locator->SetMaxPointsPerLeaf(1);
+  const double empty[3] = { 0.6, 0.9, 0.9 };
+  EXPECT_EQ(locator->GetLeafId(empty), -1);
+  EXPECT_EQ(locator->GetDepth(empty), 1);
+  EXPECT_GE(locator->GetHitCost(empty), 1);
+  const double outside[3] = { -5.0, -5.0, -5.0 };
+  const double corner[3] = { 0.0, 0.0, 0.0 };
+  EXPECT_EQ(locator->GetLeafId(outside), locator->GetLeafId(corner)) << "the nearest leaf";
+}
+
+TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
+{
+  const double x[3] = { 0.5, 0.5, 0.5 };
+  const double notFinite[3] = { 0.5, NAN, 0.5 };
+  TestedLocator locator;
+  for (const double* position : { x, notFinite })
+  {
+    EXPECT_EQ(locator->GetLeafId(position), -1);
+    EXPECT_EQ(locator->GetDepth(position), -1);
+    EXPECT_EQ(locator->GetHitCost(position), 0);
+    EXPECT_EQ(locator->GetClosestPointCost(position), 0);
+  }
+  locator->SetDataSet(MakePointCloud(std::vector<double>{ 1, 2, 3 }));
+  EXPECT_EQ(locator->GetLeafId(x), 0);
+  EXPECT_EQ(locator->GetDepth(x), 0);
+  EXPECT_EQ(locator->GetHitCost(x), 1);
+  EXPECT_EQ(locator->GetClosestPointCost(x), 1);
+  EXPECT_EQ(locator->GetLeafId(notFinite), -1);
+}
+
+TEST(TestHashedOctreePointLocatorLeaves, SearchesCostLessFromTheMedian)
+{
+  const auto coordinates = MakeUniformPoints<3, double>(20000, 192);
+  TestedLocator locator(MakePointCloud(coordinates));
+  const auto sumUp = [&](int model)
+  {
+    locator->SetStartDepthModel(model);
+    vtkIdType sum = 0;
+    for (std::size_t i = 0; i < 3000; i += 3)
+    {
+      sum += locator->GetClosestPointCost(&coordinates[i]);
+    }
+    return sum;
+  };
+  const vtkIdType fromMedian = sumUp(vtkHashedOctreePointLocator::Median);
+  EXPECT_GT(fromMedian, 0);
+  EXPECT_LT(fromMedian, sumUp(vtkHashedOctreePointLocator::Root));
+}
