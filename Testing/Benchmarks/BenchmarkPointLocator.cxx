@@ -45,17 +45,18 @@ void InitializeGoogleBenchmark(const std::string& program, const std::vector<std
   }
 }
 
-void RunGroup(
+std::size_t RunGroup(
   const LocatorOptions& options, const std::string& data, std::size_t size, LocatorResults& results)
 {
   const auto start = std::chrono::steady_clock::now();
-  std::printf("%s, %zu points:", data.c_str(), size);
-  std::fflush(stdout);
   LocatorGroup group(options, data, size);
   group.Register();
   const std::size_t count = benchmark::RunSpecifiedBenchmarks(&results);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::printf(" %zu benchmarks in %.0f s\n", count, time.count());
+  std::printf(
+    "%s, %zu points: %zu benchmarks in %.0f s\n", data.c_str(), size, count, time.count());
+  std::fflush(stdout);
+  return count;
 }
 
 int Run(const std::string& program, const LocatorOptions& options)
@@ -64,14 +65,19 @@ int Run(const std::string& program, const LocatorOptions& options)
   std::ofstream json = OpenForWriting(options.OutputDirectory + "/locator.json");
   std::ofstream markdown = OpenForWriting(options.OutputDirectory + "/locator.md");
   LocatorResults results(json);
+  std::size_t count = 0;
   for (const std::size_t size : options.Sizes)
   {
     for (const std::string& data : options.Data)
     {
-      RunGroup(options, data, size, results);
+      count += RunGroup(options, data, size, results);
     }
   }
   results.Close();
+  if (count == 0)
+  {
+    throw std::runtime_error("--benchmark_filter leaves nothing to measure");
+  }
   WriteReport(options, results, markdown);
   return results.HasFailed() ? 1 : 0;
 }

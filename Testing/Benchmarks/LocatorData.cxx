@@ -2,6 +2,7 @@
 #include "LocatorData.h"
 
 #include "vtkFloatArray.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
 
 namespace locator_benchmark
@@ -10,18 +11,19 @@ LocatorData::LocatorData(std::string name, std::vector<float> coordinates)
   : Name(std::move(name))
   , Coordinates(std::move(coordinates))
 {
-  vtkNew<vtkFloatArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetArray(
-    this->Coordinates.data(), static_cast<vtkIdType>(this->Coordinates.size()), /*save=*/1);
-  vtkNew<vtkPoints> points;
-  points->SetData(array);
-  this->Points->SetPoints(points);
 }
 
-void LocatorData::Modify() const
+vtkSmartPointer<vtkPolyData> LocatorData::MakePolyData() const
 {
-  this->Points->GetPoints()->Modified();
+  vtkNew<vtkFloatArray> array;
+  array->SetNumberOfComponents(3);
+  array->SetArray(const_cast<float*>(this->Coordinates.data()),
+    static_cast<vtkIdType>(this->Coordinates.size()), /*save=*/1);
+  vtkNew<vtkPoints> points;
+  points->SetData(array);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  return data;
 }
 
 double LocatorData::GetDistance2(std::size_t id, const Position& x) const

@@ -2,8 +2,8 @@
 #ifndef Testing_Benchmarks_LocatorData_h
 #define Testing_Benchmarks_LocatorData_h
 
-#include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
@@ -23,10 +23,10 @@ public:
   const std::string& GetName() const { return this->Name; }
   std::size_t GetNumberOfPoints() const { return this->Coordinates.size() / 3; }
   const float* GetPoint(std::size_t id) const { return this->Coordinates.data() + 3 * id; }
-  vtkPolyData* GetPolyData() const { return this->Points; }
 
-  /** Makes the points look new, so that their bounds are part of the next build. */
-  void Modify() const;
+  /** The points without their bounds, which are so part of a build, and without a copy. Locators
+   * that shared one object would all be out of date when it is modified. */
+  vtkSmartPointer<vtkPolyData> MakePolyData() const;
 
   /** By this all answers are compared: double, summed in axis order. */
   double GetDistance2(std::size_t id, const Position& x) const;
@@ -34,7 +34,6 @@ public:
 private:
   std::string Name;
   std::vector<float> Coordinates;
-  vtkNew<vtkPolyData> Points;
 };
 }
 

@@ -27,6 +27,10 @@ public:
   void WriteGrowth()
   {
     const std::size_t smallest = this->Options.Sizes.front();
+    if (smallest == this->Largest)
+    {
+      return;
+    }
     for (const std::string& peer : this->Options.Peers)
     {
       this->WriteRatio("closest, near, cube: from " + std::to_string(smallest) + " to " +

@@ -11,7 +11,8 @@ LocatorGroup::LocatorGroup(const LocatorOptions& options, const std::string& dat
   : Options(options)
   , Data(MakeSample(data, size, options.TerrainPath))
 {
-  constexpr std::size_t NumberOfQueries = 10000;
+  // More than most repetitions get through, so that the caches do not know the way.
+  constexpr std::size_t NumberOfQueries = 40000;
   this->BuildPeers();
   // Of all, nanoflann slows down least on odd data.
   const std::unique_ptr<LocatorPeer> helper = MakeNanoflannPeer();

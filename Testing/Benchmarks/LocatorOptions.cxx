@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -116,6 +117,18 @@ std::vector<Operation> ReadOperations(const std::string& option, const std::stri
   return operations;
 }
 
+/** The terrain may come last; that its file is missing should be said at once. */
+void CheckTerrain(const LocatorOptions& options)
+{
+  const bool isWanted =
+    std::find(options.Data.begin(), options.Data.end(), "terrain") != options.Data.end();
+  if (isWanted && !options.HelpWanted && !std::ifstream(options.TerrainPath))
+  {
+    throw std::runtime_error("no terrain file '" + options.TerrainPath +
+      "'; make it with pvpython Data/make_terrain.py FILE, and give --terrain FILE");
+  }
+}
+
 using Setter = std::function<void(LocatorOptions&, const std::string&)>;
 
 /** What each option of ours does with its value. */
@@ -149,15 +162,10 @@ LocatorOptions ReadOptions(const std::vector<std::string>& arguments)
 {
   LocatorOptions options;
   std::map<std::string, Setter> setters = MakeSetters();
-  for (const char* option : { "--data", "--queries", "--operations", "--peers" })
-  {
-    const std::string name(option);
-    setters[name](options,
-      Join(name == "--data"        ? GetSampleNames()
-          : name == "--queries"    ? GetQueryNames()
-          : name == "--operations" ? GetOperationNames()
-                                   : GetPeerNames()));
-  }
+  setters["--data"](options, Join(GetSampleNames()));
+  setters["--queries"](options, Join(GetQueryNames()));
+  setters["--operations"](options, Join(GetOperationNames()));
+  setters["--peers"](options, Join(GetPeerNames()));
   for (std::size_t i = 0; i < arguments.size(); ++i)
   {
     const std::size_t equals = arguments[i].find('=');
@@ -181,6 +189,7 @@ LocatorOptions ReadOptions(const std::vector<std::string>& arguments)
       throw std::runtime_error(name + " needs a value");
     }
   }
+  CheckTerrain(options);
   return options;
 }
 

@@ -19,7 +19,7 @@ class VTKPeer : public LocatorPeer
 public:
   void Build(const LocatorData& data) override
   {
-    this->Index->SetDataSet(data.GetPolyData());
+    this->Index->SetDataSet(data.MakePolyData());
     this->Index->BuildLocator();
   }
 
@@ -79,12 +79,12 @@ const std::vector<PeerKind>& GetPeerKinds()
 {
   using Ours = vtkHashedOctreePointLocator;
   static const std::vector<PeerKind> kinds{
-    { "median", true, MakeHashedOctreePeer<Ours::Median> },
-    { "root", true, MakeHashedOctreePeer<Ours::Root> },
-    { "static", true, MakeVTKPeer<vtkStaticPointLocator> },
-    { "octree", false, MakeVTKPeer<vtkOctreePointLocator> },
-    { "kdtree", false, MakeVTKPeer<vtkKdTreePointLocator> },
-    { "nanoflann", true, MakeNanoflannPeer },
+    { "median", "ours, from the median of the depths", true, MakeHashedOctreePeer<Ours::Median> },
+    { "root", "ours, from the root", true, MakeHashedOctreePeer<Ours::Root> },
+    { "static", "vtkStaticPointLocator", true, MakeVTKPeer<vtkStaticPointLocator> },
+    { "octree", "vtkOctreePointLocator", false, MakeVTKPeer<vtkOctreePointLocator> },
+    { "kdtree", "vtkKdTreePointLocator", false, MakeVTKPeer<vtkKdTreePointLocator> },
+    { "nanoflann", "nanoflann's k-d tree, leaves of at most 10 points", true, MakeNanoflannPeer },
   };
   return kinds;
 }

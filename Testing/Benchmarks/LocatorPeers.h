@@ -5,6 +5,7 @@
 #include "LocatorData.h"
 
 #include "vtkIdList.h"
+#include "vtkNew.h"
 
 #include <cstdint>
 #include <functional>
@@ -46,6 +47,7 @@ public:
 struct PeerKind
 {
   std::string Name;
+  std::string Description;
   /** Its distances must be those of ours; else differences are only counted. */
   bool Exact;
   std::function<std::unique_ptr<LocatorPeer>()> Make;

@@ -63,7 +63,7 @@ LocatorQueries MakeQueries(const LocatorData& data, LocatorPeer& locator, std::s
   Random random(27);
   LocatorQueries queries{};
   double bounds[6];
-  data.GetPolyData()->GetPoints()->GetBounds(bounds);
+  data.MakePolyData()->GetBounds(bounds);
   for (std::size_t i = 0; i < count; ++i)
   {
     queries.Near.push_back(MoveRandomPoint(data, locator, random));

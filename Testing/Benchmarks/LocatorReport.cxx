@@ -60,18 +60,21 @@ void WriteTimes(std::ostream& out, const LocatorOptions& options, const LocatorR
   out << "# Point locators\n\n"
          "Median times of "
       << options.Peers[0]
-      << " (ours, from the median of the depths), each for one query or one build, then how many "
-         "times as long the others take.\n\n";
+      << ", each for one query or one build, then how many times as long the others take.\n\n";
+  for (const std::string& peer : options.Peers)
+  {
+    out << "- " << peer << ": " << GetPeerKind(peer).Description << "\n";
+  }
+  out << "\n";
   const std::vector<std::string> others = GetOthers(options);
   WriteHeads(out,
     "| data | points | queries | operation | threads | hits | " + options.Peers[0] + " |", others);
   for (const LocatorCase& row : MakeRows(options))
   {
-    const double hits = results.GetCounter(row, "mean_hits");
+    const double hits = row.What == Operation::Radius ? results.GetCounter(row, "mean_hits") : NAN;
     out << "| " << row.Data << " | " << row.NumberOfPoints << " | " << row.Queries << " | "
         << GetOperationNames()[static_cast<std::size_t>(row.What)] << " | " << row.Threads << " | "
-        << (std::isnan(hits) ? "-" : FormatNumber(hits)) << " | "
-        << FormatTime(results.GetSeconds(row)) << " |";
+        << FormatNumber(hits) << " | " << FormatTime(results.GetSeconds(row)) << " |";
     for (const std::string& peer : others)
     {
       out << " " << FormatNumber(GetRatio(results, row.WithPeer(peer), row)) << " |";

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <random>
 #include <stdexcept>
 
@@ -22,11 +21,6 @@ class Terrain
 public:
   explicit Terrain(const std::string& path)
   {
-    if (!std::ifstream(path))
-    {
-      throw std::runtime_error(
-        "no terrain file '" + path + "'; make it with: pvpython Data/make_terrain.py FILE");
-    }
     this->Reader->SetFileName(path.c_str());
     this->Reader->Update();
     this->Points = this->Reader->GetOutput()->GetPoints();

@@ -100,7 +100,6 @@ Timing TimeBuilds(const PeerKind& kind, const LocatorData& data, double seconds)
   Timing timing;
   do
   {
-    data.Modify();
     const std::unique_ptr<LocatorPeer> peer = kind.Make();
     const auto start = Clock::now();
     peer->Build(data);
