@@ -33,6 +33,7 @@ void InitializeGoogleBenchmark(const std::string& program, const std::vector<std
     "--benchmark_enable_random_interleaving=true" };
   arguments.insert(arguments.end(), others.begin(), others.end());
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size());
   for (std::string& argument : arguments)
   {
     pointers.push_back(argument.data());

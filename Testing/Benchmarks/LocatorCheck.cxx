@@ -2,6 +2,7 @@
 #include "LocatorCheck.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace locator_benchmark
@@ -9,29 +10,29 @@ namespace locator_benchmark
 LocatorCheck::LocatorCheck(const LocatorData& data, const Question& question, LocatorPeer& ours)
   : Data(data)
   , What(question)
-  , Checked(std::min(NumberOfPositions, question.Positions->size()))
-  , Right(this->Measure(ours, this->Checked))
-  , Sound(this->CompareAHandful())
 {
+  constexpr std::size_t numberOfPositions = 50;
+  for (const auto& found :
+    GetAnswers(ours, question, std::min(numberOfPositions, question.Positions->size()), INFINITY))
+  {
+    this->Right.push_back(this->Measure(found.first, found.second));
+  }
+  this->Sound = this->CompareAHandful();
 }
 
-std::vector<LocatorCheck::Distances2> LocatorCheck::Measure(
-  LocatorPeer& peer, std::size_t numberOfPositions) const
+LocatorCheck::Distances2 LocatorCheck::Measure(
+  std::size_t position, const std::vector<vtkIdType>& ids) const
 {
-  std::vector<Distances2> measured;
-  for (const std::vector<vtkIdType>& ids : GetAnswers(peer, this->What, numberOfPositions))
+  Distances2 distances2;
+  distances2.reserve(ids.size());
+  for (const vtkIdType id : ids)
   {
-    const Position& x = (*this->What.Positions)[measured.size()];
-    Distances2 distances2;
-    for (const vtkIdType id : ids)
-    {
-      distances2.push_back(
-        id < 0 ? -1.0 : this->Data.GetDistance2(static_cast<std::size_t>(id), x));
-    }
-    std::sort(distances2.begin(), distances2.end());
-    measured.push_back(std::move(distances2));
+    distances2.push_back(id < 0
+        ? -1.0
+        : this->Data.GetDistance2(static_cast<std::size_t>(id), (*this->What.Positions)[position]));
   }
-  return measured;
+  std::sort(distances2.begin(), distances2.end());
+  return distances2;
 }
 
 LocatorCheck::Distances2 LocatorCheck::CompareWithEveryPoint(const Position& x) const
@@ -59,8 +60,8 @@ LocatorCheck::Distances2 LocatorCheck::CompareWithEveryPoint(const Position& x) 
 
 bool LocatorCheck::CompareAHandful() const
 {
-  constexpr std::size_t Handful = 3;
-  for (std::size_t i = 0; i < std::min(Handful, this->Checked); ++i)
+  constexpr std::size_t handful = 3;
+  for (std::size_t i = 0; i < std::min(handful, this->Right.size()); ++i)
   {
     if (this->CompareWithEveryPoint((*this->What.Positions)[i]) != this->Right[i])
     {
@@ -70,21 +71,23 @@ bool LocatorCheck::CompareAHandful() const
   return true;
 }
 
-std::size_t LocatorCheck::CountDifferences(LocatorPeer& peer) const
+CheckResult LocatorCheck::Check(LocatorPeer& peer) const
 {
-  const std::vector<Distances2> measured = this->Measure(peer, this->Checked);
-  std::size_t differences = 0;
-  for (std::size_t i = 0; i < this->Checked; ++i)
+  constexpr double seconds = 0.1;
+  CheckResult result;
+  for (const auto& found : GetAnswers(peer, this->What, this->Right.size(), seconds))
   {
-    differences += measured[i] != this->Right[i] ? 1 : 0;
+    ++result.Checked;
+    result.Different +=
+      this->Measure(found.first, found.second) != this->Right[found.first] ? 1 : 0;
   }
-  return differences;
+  return result;
 }
 
 double LocatorCheck::GetMeanHits() const
 {
   const std::size_t hits = std::accumulate(this->Right.begin(), this->Right.end(), std::size_t{ 0 },
     [](std::size_t sum, const Distances2& found) { return sum + found.size(); });
-  return static_cast<double>(hits) / static_cast<double>(std::max<std::size_t>(this->Checked, 1));
+  return static_cast<double>(hits) / static_cast<double>(this->Right.size());
 }
 }

@@ -6,20 +6,24 @@
 
 namespace locator_benchmark
 {
+struct CheckResult
+{
+  std::size_t Checked = 0;
+  std::size_t Different = 0;
+};
+
 /** The right answers to one question, as sorted squared distances: equally near points may change
  * places. They are ours, of which a few are compared with every point. */
 class LocatorCheck
 {
 public:
-  static constexpr std::size_t NumberOfPositions = 50;
-
   LocatorCheck(const LocatorData& data, const Question& question, LocatorPeer& ours);
 
   /** Whether ours are those of a comparison with every point. */
   bool IsSound() const { return this->Sound; }
 
-  /** At how many of the positions the peer answers something else. */
-  std::size_t CountDifferences(LocatorPeer& peer) const;
+  /** Compares the answers of a peer, of a slow one only some. */
+  CheckResult Check(LocatorPeer& peer) const;
 
   /** Points in an answer, on average. */
   double GetMeanHits() const;
@@ -27,13 +31,12 @@ public:
 private:
   using Distances2 = std::vector<double>;
 
-  std::vector<Distances2> Measure(LocatorPeer& peer, std::size_t numberOfPositions) const;
+  Distances2 Measure(std::size_t position, const std::vector<vtkIdType>& ids) const;
   Distances2 CompareWithEveryPoint(const Position& x) const;
   bool CompareAHandful() const;
 
   const LocatorData& Data;
   Question What;
-  std::size_t Checked;
   std::vector<Distances2> Right;
   bool Sound;
 };

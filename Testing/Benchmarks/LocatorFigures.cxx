@@ -12,6 +12,7 @@ namespace
 {
 constexpr std::size_t BuildSize = 1000000;
 
+/** A table with a figure in each row for each peer. Rows that were not measured are left out. */
 class Figures
 {
 public:
@@ -19,103 +20,102 @@ public:
     : Out(out)
     , Options(options)
     , Results(results)
-    , Ours(options.Peers[0])
     , Largest(options.Sizes.back())
   {
+  }
+
+  void WriteHead()
+  {
+    std::string rule = "|---|";
+    this->Out << "| figure |";
+    for (const std::string& peer : this->Options.Peers)
+    {
+      this->Out << " " << peer << " |";
+      rule += "---|";
+    }
+    this->Out << "\n" << rule << "\n";
   }
 
   void WriteGrowth()
   {
     const std::size_t smallest = this->Options.Sizes.front();
-    if (smallest == this->Largest)
-    {
-      return;
-    }
-    for (const std::string& peer : this->Options.Peers)
-    {
-      this->WriteRatio("closest, near, cube: from " + std::to_string(smallest) + " to " +
-          std::to_string(this->Largest) + " points a query of " + peer + " takes",
-        { "cube", this->Largest, "near", Operation::Closest, 1, peer },
-        { "cube", smallest, "near", Operation::Closest, 1, peer });
-    }
+    const LocatorCase base{ "cube", smallest, "near", Operation::Closest, 1, "" };
+    LocatorCase grown = base;
+    grown.NumberOfPoints = this->Largest;
+    this->WriteRatios("closest near, cube: time with " + std::to_string(this->Largest) +
+        " points / with " + std::to_string(smallest),
+      grown, base);
   }
 
-  void WriteBuilds()
+  void WriteBuilds(const std::string& data)
   {
-    for (const std::string& data : this->Options.Data)
+    const std::string size = std::to_string(BuildSize);
+    LocatorCase which{ data, BuildSize, "-", Operation::Build, 1, "" };
+    const LocatorCase one = which;
+    for (const int threads : this->Options.Threads)
     {
-      const LocatorCase one{ data, BuildSize, "-", Operation::Build, 1, this->Ours };
-      LocatorCase two = one;
-      two.Threads = 2;
-      const std::string title = data + ": build of " + std::to_string(BuildSize) + " points";
-      for (const char* peer : { "static", "nanoflann" })
-      {
-        this->WriteRatio(title + ", 1 thread: " + peer + " takes", one.WithPeer(peer), one);
-        this->WriteRatio(title + ", 2 threads: " + peer + " takes", two.WithPeer(peer), two);
-      }
-      this->WriteRatio(title + ": ours on 1 thread takes", one, two);
+      which.Threads = threads;
+      const LocatorCase ours = which.WithPeer(this->Options.Peers[0]);
+      this->WriteRow("build of " + size + ", " + data + ": time on " + std::to_string(threads) +
+          " thread(s) / ours",
+        [&](const std::string& peer)
+        { return GetRatio(this->Results, which.WithPeer(peer), ours); });
     }
+    which.Threads = 2;
+    this->WriteRatios(
+      "build of " + size + ", " + data + ": time on 1 thread / on 2 threads", one, which);
   }
 
-  void WriteStartDepths()
+  void WriteStartDepths(const std::string& data)
   {
-    for (const std::string& data : this->Options.Data)
-    {
-      for (const std::string& peer : this->Options.Peers)
-      {
-        const LocatorCase median{ data, this->Largest, "near", Operation::Closest, 1, this->Ours };
-        if (peer == "root" || peer == "local")
-        {
-          this->WriteRatio(data + ": closest, near, " + std::to_string(this->Largest) +
-              " points: from the " + this->Ours + " is one; " + peer + " takes",
-            median.WithPeer(peer), median);
-        }
-      }
-    }
+    const LocatorCase which{ data, this->Largest, "near", Operation::Closest, 1, "" };
+    const LocatorCase ours = which.WithPeer(this->Options.Peers[0]);
+    this->WriteRow("closest near, " + data + ", " + std::to_string(this->Largest) +
+        " points: time / from the median",
+      [&](const std::string& peer) { return GetRatio(this->Results, which.WithPeer(peer), ours); });
   }
 
-  void WriteOutlier()
+  void WriteOutlier(const std::string& queries)
   {
-    for (const std::string& queries : this->Options.Queries)
-    {
-      const LocatorCase outlier{ "outlier", this->Largest, queries, Operation::Closest, 1,
-        this->Ours };
-      LocatorCase cube = outlier;
-      cube.Data = "cube";
-      for (const std::string& peer : this->Options.Peers)
-      {
-        this->WriteRatio("closest, " + queries + ", " + std::to_string(this->Largest) +
-            " points: with an outlier a query of " + peer + " takes, of the cube's",
-          outlier.WithPeer(peer), cube.WithPeer(peer));
-      }
-    }
+    const LocatorCase outlier{ "outlier", this->Largest, queries, Operation::Closest, 1, "" };
+    LocatorCase cube = outlier;
+    cube.Data = "cube";
+    this->WriteRatios("closest " + queries + ", " + std::to_string(this->Largest) +
+        " points: time with an outlier / cube",
+      outlier, cube);
   }
 
-  void WriteMemory()
+  void WriteMemory(const std::string& data)
   {
-    for (const std::string& data : this->Options.Data)
-    {
-      for (const std::string& peer : { this->Ours, std::string("nanoflann") })
-      {
-        const double bytes = this->GetIndexBytes(data, peer);
-        if (bytes > 0.0)
-        {
-          this->Out << "- " << data << ": index of " << peer << ": " << FormatNumber(bytes)
-                    << " bytes per point (" << this->Largest << " points)\n";
-        }
-      }
-    }
+    this->WriteRow(
+      "bytes of the index per point, " + data + ", " + std::to_string(this->Largest) + " points",
+      [&](const std::string& peer) { return this->GetIndexBytes(data, peer); });
   }
 
 private:
-  void WriteRatio(const std::string& title, const LocatorCase& which, const LocatorCase& base)
+  template <typename Figure>
+  void WriteRow(const std::string& title, const Figure& figure)
   {
-    const double ratio = GetRatio(this->Results, which, base);
-    if (!std::isnan(ratio))
+    bool isMeasured = false;
+    std::string row = "| " + title + " |";
+    for (const std::string& peer : this->Options.Peers)
     {
-      this->Out << "- " << title << " x " << FormatNumber(ratio) << " ("
-                << FormatTime(this->Results.GetSeconds(which)) << ")\n";
+      const double number = figure(peer);
+      isMeasured = isMeasured || !std::isnan(number);
+      row.append(" ").append(FormatNumber(number)).append(" |");
     }
+    if (isMeasured)
+    {
+      this->Out << row << "\n";
+    }
+  }
+
+  /** Of each peer one of its times by another. */
+  void WriteRatios(const std::string& title, const LocatorCase& which, const LocatorCase& base)
+  {
+    this->WriteRow(title,
+      [&](const std::string& peer)
+      { return GetRatio(this->Results, which.WithPeer(peer), base.WithPeer(peer)); });
   }
 
   /** Every benchmark of a locator tells its size; any that ran will do. */
@@ -124,18 +124,17 @@ private:
     for (const LocatorCase& which : this->Options.MakeCases(data, this->Largest))
     {
       const double bytes = this->Results.GetCounter(which.WithPeer(peer), "index_bytes_per_point");
-      if (!std::isnan(bytes))
+      if (bytes > 0.0)
       {
         return bytes;
       }
     }
-    return 0.0;
+    return NAN;
   }
 
   std::ostream& Out;
   const LocatorOptions& Options;
   const LocatorResults& Results;
-  std::string Ours;
   std::size_t Largest;
 };
 }
@@ -143,11 +142,26 @@ private:
 void WriteFigures(std::ostream& out, const LocatorOptions& options, const LocatorResults& results)
 {
   Figures figures(out, options, results);
-  out << "\n## Figures\n\nx is how many times as long something takes.\n\n";
+  out
+    << "\n## Figures\n\nThe bytes of ours hold a copy of the coordinates, 12 per point; nanoflann "
+       "has none. VTK's others do not tell theirs.\n\n";
+  figures.WriteHead();
   figures.WriteGrowth();
-  figures.WriteBuilds();
-  figures.WriteStartDepths();
-  figures.WriteOutlier();
-  figures.WriteMemory();
+  for (const std::string& data : options.Data)
+  {
+    figures.WriteBuilds(data);
+  }
+  for (const std::string& data : options.Data)
+  {
+    figures.WriteStartDepths(data);
+  }
+  for (const std::string& queries : options.Queries)
+  {
+    figures.WriteOutlier(queries);
+  }
+  for (const std::string& data : options.Data)
+  {
+    figures.WriteMemory(data);
+  }
 }
 }

@@ -9,7 +9,7 @@
 
 namespace locator_benchmark
 {
-/** Three digits; a dash for what was not measured. */
+/** Two or three digits; a dash for what was not measured. */
 inline std::string FormatNumber(double number)
 {
   if (std::isnan(number))
@@ -17,6 +17,11 @@ inline std::string FormatNumber(double number)
     return "-";
   }
   char text[32];
+  if (number != 0.0 && std::abs(number) < 0.0995)
+  {
+    std::snprintf(text, sizeof(text), "%.2g", number);
+    return text;
+  }
   const int decimals = std::abs(number) < 9.995 ? 2 : std::abs(number) < 99.95 ? 1 : 0;
   std::snprintf(text, sizeof(text), "%.*f", decimals, number);
   return text;

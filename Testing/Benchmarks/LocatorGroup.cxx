@@ -12,12 +12,12 @@ LocatorGroup::LocatorGroup(const LocatorOptions& options, const std::string& dat
   , Data(MakeSample(data, size, options.TerrainPath))
 {
   // More than most repetitions get through, so that the caches do not know the way.
-  constexpr std::size_t NumberOfQueries = 40000;
+  constexpr std::size_t numberOfQueries = 40000;
   this->BuildPeers();
   // Of all, nanoflann slows down least on odd data.
   const std::unique_ptr<LocatorPeer> helper = MakeNanoflannPeer();
   helper->Build(this->Data);
-  this->Queries = MakeQueries(this->Data, *helper, NumberOfQueries);
+  this->Queries = MakeQueries(this->Data, *helper, numberOfQueries);
 }
 
 LocatorGroup::~LocatorGroup()
@@ -75,7 +75,9 @@ void LocatorGroup::Run(benchmark::State& state, const LocatorCase& which)
   if (!isBuild)
   {
     state.counters["mean_hits"] = this->GetCheck(which).GetMeanHits();
-    state.counters["different_answers"] = static_cast<double>(this->Differences[which.GetName()]);
+    const CheckResult& result = this->CheckResults[which.GetName()];
+    state.counters["checked_answers"] = static_cast<double>(result.Checked);
+    state.counters["different_answers"] = static_cast<double>(result.Different);
   }
 }
 
@@ -83,15 +85,15 @@ std::string LocatorGroup::FindError(const LocatorCase& which)
 {
   LocatorCheck& check = this->GetCheck(which);
   const std::string name = which.GetName();
-  if (this->Differences.count(name) == 0)
+  if (this->CheckResults.count(name) == 0)
   {
-    this->Differences[name] = check.CountDifferences(*this->Peers[which.Peer]);
+    this->CheckResults[name] = check.Check(*this->Peers[which.Peer]);
   }
   if (!check.IsSound())
   {
     return "our distances are not those of a comparison with every point";
   }
-  const std::size_t differences = this->Differences[name];
+  const std::size_t differences = this->CheckResults[name].Different;
   return differences > 0 && GetPeerKind(which.Peer).Exact
     ? "other distances than ours at " + std::to_string(differences) + " positions"
     : std::string();

@@ -39,8 +39,7 @@ private:
   LocatorQueries Queries;
   std::map<std::string, std::unique_ptr<LocatorPeer>> Peers;
   std::map<std::string, std::unique_ptr<LocatorCheck>> Checks;
-  /** At how many positions a benchmark answers something else than ours. */
-  std::map<std::string, std::size_t> Differences;
+  std::map<std::string, CheckResult> CheckResults;
 };
 }
 

@@ -32,7 +32,7 @@ std::string Join(const std::vector<std::string>& words)
   std::string joined;
   for (const std::string& word : words)
   {
-    joined += (joined.empty() ? "" : ",") + word;
+    joined.append(joined.empty() ? "" : ",").append(word);
   }
   return joined;
 }
@@ -230,7 +230,7 @@ std::string GetHelp()
     Join(GetPeerNames()) + "; " + GetPeerKinds()[0].Name +
     " always takes part\n"
     "  --threads LIST          default 1,2\n"
-    "  --repetition-time S     seconds after which a repetition stops counting; default 0.02\n"
+    "  --repetition-time S     seconds after which a repetition stops counting; default 0.04\n"
     "  --terrain FILE          that Data/make_terrain.py wrote; for the data set terrain\n"
     "  --output DIRECTORY      default: the current one\n"
     "A list has commas and no blanks; without it, all. Google Benchmark's options work too:\n";

@@ -17,7 +17,7 @@ struct LocatorOptions
   /** The first is the one that the others are compared with. */
   std::vector<std::string> Peers;
   /** Seconds after which a repetition stops counting. */
-  double RepetitionTime = 0.02;
+  double RepetitionTime = 0.04;
   std::string TerrainPath;
   std::string OutputDirectory = ".";
   /** Arguments that are not ours, but Google Benchmark's. */

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatorReport.h"
 
-#include "LocatorCheck.h"
 #include "LocatorFigures.h"
 #include "LocatorFormat.h"
+#include "LocatorPeers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -133,8 +133,8 @@ void WriteSummary(std::ostream& out, const LocatorOptions& options, const Locato
 void WriteDifferences(
   std::ostream& out, const LocatorOptions& options, const LocatorResults& results)
 {
-  out << "\n## Answers\n\nAt " << LocatorCheck::NumberOfPositions
-      << " positions of each benchmark the distances were compared with ours, and a few of ours "
+  out << "\n## Answers\n\nAt some positions of each benchmark the distances were compared with "
+         "ours, and a few of ours "
          "with those to every point.\n\n";
   for (const std::string& peer : options.Peers)
   {
@@ -144,7 +144,8 @@ void WriteDifferences(
     {
       const double counted = results.GetCounter(row.WithPeer(peer), "different_answers");
       differences += std::isnan(counted) ? 0.0 : counted;
-      checked += std::isnan(counted) ? 0.0 : static_cast<double>(LocatorCheck::NumberOfPositions);
+      checked +=
+        std::isnan(counted) ? 0.0 : results.GetCounter(row.WithPeer(peer), "checked_answers");
     }
     out << "- " << peer << ": " << differences << " of " << static_cast<std::size_t>(checked)
         << " answers differ\n";

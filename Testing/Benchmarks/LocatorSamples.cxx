@@ -99,19 +99,19 @@ Curve MakeCurve(Random& random)
 
 std::vector<float> MakeFilaments(std::size_t count, unsigned seed)
 {
-  constexpr double Thickness = 1e-4;
+  constexpr double thickness = 1e-4;
   Random random(seed);
-  std::vector<Curve> curves;
-  for (int i = 0; i < 50; ++i)
+  std::vector<Curve> curves(50);
+  for (Curve& curve : curves)
   {
-    curves.push_back(MakeCurve(random));
+    curve = MakeCurve(random);
   }
   std::vector<float> coordinates;
   coordinates.reserve(3 * count);
   for (std::size_t i = 0; i < count; ++i)
   {
     const Curve& curve = curves[random() % curves.size()];
-    AddBlurred(coordinates, curve.At(Uniform(random, 0, 1)), Thickness, random);
+    AddBlurred(coordinates, curve.At(Uniform(random, 0, 1)), thickness, random);
   }
   return coordinates;
 }
@@ -127,24 +127,24 @@ std::vector<float> MakeOutlier(std::size_t count, unsigned seed)
 std::vector<float> MakeCoordinates(
   const std::string& name, std::size_t count, const std::string& terrainPath)
 {
-  constexpr unsigned Seed = 2008;
+  constexpr unsigned seed = 2008;
   if (name == "terrain")
   {
-    return ResampleTerrain(terrainPath, count, Seed);
+    return ResampleTerrain(terrainPath, count, seed);
   }
   if (name == "cube")
   {
-    return MakeUniformPoints<3, float>(count, Seed);
+    return MakeUniformPoints<3, float>(count, seed);
   }
   if (name == "sphere")
   {
-    return MakeSpherePoints<3, float>(count, Seed);
+    return MakeSpherePoints<3, float>(count, seed);
   }
   if (name == "clusters")
   {
-    return MakeClusters(count, Seed);
+    return MakeClusters(count, seed);
   }
-  return name == "filaments" ? MakeFilaments(count, Seed) : MakeOutlier(count, Seed);
+  return name == "filaments" ? MakeFilaments(count, seed) : MakeOutlier(count, seed);
 }
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 
 namespace locator_benchmark
 {
@@ -48,16 +49,20 @@ void UseThreads(int threads)
   vtkSMPTools::Initialize(threads);
 }
 
-std::vector<std::vector<vtkIdType>> GetAnswers(
-  LocatorPeer& peer, const Question& question, std::size_t numberOfPositions)
+Answers GetAnswers(
+  LocatorPeer& peer, const Question& question, std::size_t numberOfPositions, double seconds)
 {
-  std::vector<std::vector<vtkIdType>> answers(numberOfPositions);
+  Answers answers;
+  std::mutex mutex;
+  const auto start = Clock::now();
   const auto body = [&](vtkIdType first, vtkIdType last)
   {
     Answer answer;
-    for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(last); ++i)
+    for (auto i = static_cast<std::size_t>(first);
+         i < static_cast<std::size_t>(last) && GetSecondsSince(start) < seconds; ++i)
     {
       Ask(peer, question, (*question.Positions)[i], answer);
+      const std::lock_guard<std::mutex> lock(mutex);
       answers[i] = question.What == Operation::Closest ? std::vector<vtkIdType>{ answer.Closest }
                                                        : peer.GetIds(answer);
     }
@@ -68,18 +73,21 @@ std::vector<std::vector<vtkIdType>> GetAnswers(
 
 Timing TimeQueries(LocatorPeer& peer, const Question& question, double seconds)
 {
-  // Few enough for two threads to finish together, and for a slow peer to look at the clock.
-  constexpr vtkIdType Share = 512;
-  constexpr std::size_t Batch = 8;
+  // Few enough for two threads to finish together.
+  constexpr vtkIdType share = 512;
+  // Between looks at the clock: one at first, for a slow peer.
+  constexpr std::size_t largestBatch = 8;
   std::atomic<std::size_t> count{ 0 };
   const auto start = Clock::now();
   const auto body = [&](vtkIdType first, vtkIdType last)
   {
     Answer answer;
     auto i = static_cast<std::size_t>(first);
+    std::size_t batch = 1;
     while (i < static_cast<std::size_t>(last) && GetSecondsSince(start) < seconds)
     {
-      const std::size_t end = std::min(i + Batch, static_cast<std::size_t>(last));
+      const std::size_t end = std::min(i + batch, static_cast<std::size_t>(last));
+      batch = std::min(2 * batch, largestBatch);
       for (; i < end; ++i)
       {
         Ask(peer, question, (*question.Positions)[i], answer);
@@ -90,7 +98,7 @@ Timing TimeQueries(LocatorPeer& peer, const Question& question, double seconds)
   };
   do
   {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(question.Positions->size()), Share, body);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(question.Positions->size()), share, body);
   } while (GetSecondsSince(start) < seconds);
   return { GetSecondsSince(start), count };
 }

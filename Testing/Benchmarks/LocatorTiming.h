@@ -5,6 +5,8 @@
 #include "LocatorCase.h"
 #include "LocatorPeers.h"
 
+#include <map>
+
 namespace locator_benchmark
 {
 /** How long something took, and how often it was done. */
@@ -25,9 +27,13 @@ struct Question
 /** Lets vtkSMPTools, with which builds and queries are shared out, use this many threads. */
 void UseThreads(int threads);
 
-/** Answers to the question at the first positions, with the threads that are in use. */
-std::vector<std::vector<vtkIdType>> GetAnswers(
-  LocatorPeer& peer, const Question& question, std::size_t numberOfPositions);
+/** Ids that were found, at a position. */
+using Answers = std::map<std::size_t, std::vector<vtkIdType>>;
+
+/** Answers to the question at the first positions, with the threads that are in use; at fewer
+ * positions when it takes longer than `seconds`. */
+Answers GetAnswers(
+  LocatorPeer& peer, const Question& question, std::size_t numberOfPositions, double seconds);
 
 /** Asks at all positions again and again, for about `seconds`. A slow peer does not get through
  * them once: they are in random order, so that the first ones stand for all. */

@@ -15,6 +15,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator, NullFormatter
 
 OPERATIONS = {
     "build": "Build",
@@ -57,6 +58,11 @@ def load_medians(path):
     return figures
 
 
+def spans_little(axes):
+    lower, upper = axes.get_ylim()
+    return upper < 300 * lower
+
+
 def draw_picture(axes, operation, queries, peers):
     # Microseconds for queries; builds take longer.
     unit, factor = ("ms", 1e3) if operation == "build" else ("µs", 1e6)
@@ -68,6 +74,9 @@ def draw_picture(axes, operation, queries, peers):
     axes.set_title(", ".join(filter(None, (OPERATIONS[operation], QUERIES[queries]))), fontsize=11)
     axes.set_xlabel("points")
     axes.set_ylabel(f"time per {'build' if operation == 'build' else 'query'} [{unit}]")
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if spans_little(axes) else (1,)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_formatter(NullFormatter())
     axes.grid(True, which="major", alpha=0.4)
 
 
