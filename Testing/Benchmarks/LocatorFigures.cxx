@@ -49,30 +49,21 @@ public:
 
   void WriteBuilds(const std::string& data)
   {
-    const std::string size = std::to_string(BuildSize);
-    LocatorCase which{ data, BuildSize, "-", Operation::Build, 1, "" };
-    const LocatorCase one = which;
-    for (const int threads : this->Options.Threads)
-    {
-      which.Threads = threads;
-      const LocatorCase ours = which.WithPeer(this->Options.Peers[0]);
-      this->WriteRow("build of " + size + ", " + data + ": time on " + std::to_string(threads) +
-          " thread(s) / ours",
-        [&](const std::string& peer)
-        { return GetRatio(this->Results, which.WithPeer(peer), ours); });
-    }
-    which.Threads = 2;
-    this->WriteRatios(
-      "build of " + size + ", " + data + ": time on 1 thread / on 2 threads", one, which);
+    const std::string title = "build of " + std::to_string(BuildSize) + ", " + data + ": time on ";
+    const LocatorCase one{ data, BuildSize, "-", Operation::Build, 1, "" };
+    LocatorCase two = one;
+    two.Threads = 2;
+    this->WriteComparison(title + "1 thread / ours", one);
+    this->WriteComparison(title + "2 threads / ours", two);
+    this->WriteRatios(title + "1 thread / on 2 threads", one, two);
   }
 
   void WriteStartDepths(const std::string& data)
   {
     const LocatorCase which{ data, this->Largest, "near", Operation::Closest, 1, "" };
-    const LocatorCase ours = which.WithPeer(this->Options.Peers[0]);
-    this->WriteRow("closest near, " + data + ", " + std::to_string(this->Largest) +
+    this->WriteComparison("closest near, " + data + ", " + std::to_string(this->Largest) +
         " points: time / from the median",
-      [&](const std::string& peer) { return GetRatio(this->Results, which.WithPeer(peer), ours); });
+      which);
   }
 
   void WriteOutlier(const std::string& queries)
@@ -108,6 +99,15 @@ private:
     {
       this->Out << row << "\n";
     }
+  }
+
+  /** Of each peer its time by that of the first. */
+  void WriteComparison(const std::string& title, const LocatorCase& which)
+  {
+    const LocatorCase first = which.WithPeer(this->Options.Peers[0]);
+    this->WriteRow(title,
+      [&](const std::string& peer)
+      { return GetRatio(this->Results, which.WithPeer(peer), first); });
   }
 
   /** Of each peer one of its times by another. */

@@ -56,7 +56,9 @@ std::vector<std::string> ReadNames(
   {
     if (std::find(known.begin(), known.end(), word) == known.end())
     {
-      throw std::runtime_error(option + " does not know '" + word + "'; it knows " + Join(known));
+      throw std::runtime_error(
+        std::string(option).append(" does not know '").append(word).append("'; it knows ") +
+        Join(known));
     }
   }
   std::vector<std::string> names;
