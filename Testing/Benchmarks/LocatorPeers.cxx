@@ -81,6 +81,8 @@ const std::vector<PeerKind>& GetPeerKinds()
   static const std::vector<PeerKind> kinds{
     { "median", "ours, from the median of the depths", true, MakeHashedOctreePeer<Ours::Median> },
     { "root", "ours, from the root", true, MakeHashedOctreePeer<Ours::Root> },
+    { "local", "ours, from the depth of the leaves around", true,
+      MakeHashedOctreePeer<Ours::Local> },
     { "static", "vtkStaticPointLocator", true, MakeVTKPeer<vtkStaticPointLocator> },
     { "octree", "vtkOctreePointLocator", false, MakeVTKPeer<vtkOctreePointLocator> },
     { "kdtree", "vtkKdTreePointLocator", false, MakeVTKPeer<vtkKdTreePointLocator> },
