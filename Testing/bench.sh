@@ -4,16 +4,45 @@
 #
 # Sets everything up and runs one benchmark.
 #   Testing/bench.sh NAME [arguments of Google Benchmark]
+#   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
+#                                            --help tells its own arguments
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
-declare -A benchmarks=([build]=BenchmarkOctreeBuild)
+declare -A benchmarks=([build]=BenchmarkOctreeBuild [locator]=BenchmarkPointLocator)
+
+fail() {
+  printf 'error: %s\n' "$1" >&2
+  exit 1
+}
+
+make_terrain() {
+  local log="$root/build/data/terrain.log"
+  terrain="$root/build/data/terrain.vtp"
+  [[ ! -f "$terrain" ]] || return 0
+  mkdir -p "$root/build/data"
+  pvpython "$root/Data/make_terrain.py" "$terrain" >"$log" 2>&1 ||
+    fail "$(grep '^make_terrain: ' "$log" || echo "no terrain; all that pvpython said is in $log")"
+}
+
+# Draws also when some answers were wrong (1), but not when the arguments were (2).
+run_locator() {
+  local output="$root/build/bench" status=0
+  make_terrain
+  mkdir -p "$output"
+  "$program" --terrain "$terrain" --output "$output" "$@" || status=$?
+  ((status <= 1)) || exit "$status"
+  [[ " $* " == *' --help '* ]] ||
+    python3 "$root/Testing/Benchmarks/plot_locator.py" "$output/locator.json" "$output"
+  exit "$status"
+}
 
 name="${1:-}"
-if [[ -z "$name" || -z "${benchmarks[$name]:-}" ]]; then
-  printf 'error: no benchmark "%s"; there is: %s\n' "$name" "${!benchmarks[*]}" >&2
-  exit 1
-fi
+[[ -n "$name" && -n "${benchmarks[$name]:-}" ]] ||
+  fail "no benchmark \"$name\"; there is: ${!benchmarks[*]}"
 shift
 "$root/Plugin/setup.sh" --benchmarks
-exec "$root/build/bin/${benchmarks[$name]}" "$@"
+PATH="/usr/bin:/bin:$PATH" # Debian's ParaView, as in setup.sh
+program="$root/build/bin/${benchmarks[$name]}"
+[[ "$name" != locator ]] || run_locator "$@"
+exec "$program" "$@"

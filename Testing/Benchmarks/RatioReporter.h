@@ -99,6 +99,7 @@ inline int RunInTurns(int argc, char** argv)
     "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.2" };
   defaults.insert(defaults.end(), argv + 1, argv + argc);
   std::vector<char*> arguments;
+  arguments.reserve(defaults.size());
   for (std::string& argument : defaults)
   {
     arguments.push_back(argument.data());

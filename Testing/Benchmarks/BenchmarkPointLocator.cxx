@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * Time to build point locators and to search with them: ours beside those of VTK and nanoflann, on
+ * the same points and at the same positions, in turns. Every answer's distance is checked.
+ */
+#include "LocatorGroup.h"
+#include "LocatorReport.h"
+
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+using namespace locator_benchmark;
+
+namespace
+{
+std::ofstream OpenForWriting(const std::string& path)
+{
+  std::ofstream file(path);
+  if (!file)
+  {
+    throw std::runtime_error("cannot write to '" + path + "'");
+  }
+  return file;
+}
+
+/** Repetitions in random order, so that a machine that changes its speed slows all peers alike. */
+void InitializeGoogleBenchmark(const std::string& program, const std::vector<std::string>& others)
+{
+  static std::vector<std::string> arguments{ program, "--benchmark_repetitions=5",
+    "--benchmark_enable_random_interleaving=true" };
+  arguments.insert(arguments.end(), others.begin(), others.end());
+  std::vector<char*> pointers;
+  pointers.reserve(arguments.size());
+  for (std::string& argument : arguments)
+  {
+    pointers.push_back(argument.data());
+  }
+  int count = static_cast<int>(pointers.size());
+  benchmark::Initialize(&count, pointers.data());
+  if (count > 1)
+  {
+    throw std::runtime_error(std::string("unknown argument '") + pointers[1] + "'; try --help");
+  }
+}
+
+std::size_t RunGroup(
+  const LocatorOptions& options, const std::string& data, std::size_t size, LocatorResults& results)
+{
+  const auto start = std::chrono::steady_clock::now();
+  LocatorGroup group(options, data, size);
+  group.Register();
+  const std::size_t count = benchmark::RunSpecifiedBenchmarks(&results);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  std::printf(
+    "%s, %zu points: %zu benchmarks in %.0f s\n", data.c_str(), size, count, time.count());
+  std::fflush(stdout);
+  return count;
+}
+
+int Run(const std::string& program, const LocatorOptions& options)
+{
+  InitializeGoogleBenchmark(program, options.Others);
+  std::ofstream json = OpenForWriting(options.OutputDirectory + "/locator.json");
+  std::ofstream markdown = OpenForWriting(options.OutputDirectory + "/locator.md");
+  LocatorResults results(json);
+  std::size_t count = 0;
+  for (const std::size_t size : options.Sizes)
+  {
+    for (const std::string& data : options.Data)
+    {
+      count += RunGroup(options, data, size, results);
+    }
+  }
+  results.Close();
+  if (count == 0)
+  {
+    throw std::runtime_error("--benchmark_filter leaves nothing to measure");
+  }
+  WriteReport(options, results, markdown);
+  return results.HasFailed() ? 1 : 0;
+}
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    const LocatorOptions options = ReadOptions({ argv + 1, argv + argc });
+    if (options.HelpWanted)
+    {
+      std::cout << GetHelp();
+    }
+    return Run(argv[0], options);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "error: " << error.what() << "\n";
+    return 2;
+  }
+}

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocatorFigures.h"
+
+#include "LocatorFormat.h"
+
+#include <algorithm>
+#include <ostream>
+
+namespace locator_benchmark
+{
+namespace
+{
+constexpr std::size_t BuildSize = 1000000;
+
+/** A table with a figure in each row for each peer. Rows that were not measured are left out. */
+class Figures
+{
+public:
+  Figures(std::ostream& out, const LocatorOptions& options, const LocatorResults& results)
+    : Out(out)
+    , Options(options)
+    , Results(results)
+    , Largest(options.Sizes.back())
+  {
+  }
+
+  void WriteHead()
+  {
+    std::string rule = "|---|";
+    this->Out << "| figure |";
+    for (const std::string& peer : this->Options.Peers)
+    {
+      this->Out << " " << peer << " |";
+      rule += "---|";
+    }
+    this->Out << "\n" << rule << "\n";
+  }
+
+  void WriteGrowth()
+  {
+    const std::size_t smallest = this->Options.Sizes.front();
+    const LocatorCase base{ "cube", smallest, "near", Operation::Closest, 1, "" };
+    LocatorCase grown = base;
+    grown.NumberOfPoints = this->Largest;
+    this->WriteRatios("closest near, cube: time with " + std::to_string(this->Largest) +
+        " points / with " + std::to_string(smallest),
+      grown, base);
+  }
+
+  void WriteBuilds(const std::string& data)
+  {
+    const std::string title = "build of " + std::to_string(BuildSize) + ", " + data + ": time on ";
+    const LocatorCase one{ data, BuildSize, "-", Operation::Build, 1, "" };
+    LocatorCase two = one;
+    two.Threads = 2;
+    this->WriteComparison(title + "1 thread / ours", one);
+    this->WriteComparison(title + "2 threads / ours", two);
+    this->WriteRatios(title + "1 thread / on 2 threads", one, two);
+  }
+
+  void WriteStartDepths(const std::string& data)
+  {
+    const LocatorCase which{ data, this->Largest, "near", Operation::Closest, 1, "" };
+    this->WriteComparison("closest near, " + data + ", " + std::to_string(this->Largest) +
+        " points: time / from the median",
+      which);
+  }
+
+  void WriteOutlier(const std::string& queries)
+  {
+    const LocatorCase outlier{ "outlier", this->Largest, queries, Operation::Closest, 1, "" };
+    LocatorCase cube = outlier;
+    cube.Data = "cube";
+    this->WriteRatios("closest " + queries + ", " + std::to_string(this->Largest) +
+        " points: time with an outlier / cube",
+      outlier, cube);
+  }
+
+  void WriteMemory(const std::string& data)
+  {
+    this->WriteRow(
+      "bytes of the index per point, " + data + ", " + std::to_string(this->Largest) + " points",
+      [&](const std::string& peer) { return this->GetIndexBytes(data, peer); });
+  }
+
+private:
+  template <typename Figure>
+  void WriteRow(const std::string& title, const Figure& figure)
+  {
+    bool isMeasured = false;
+    std::string row = "| " + title + " |";
+    for (const std::string& peer : this->Options.Peers)
+    {
+      const double number = figure(peer);
+      isMeasured = isMeasured || !std::isnan(number);
+      row.append(" ").append(FormatNumber(number)).append(" |");
+    }
+    if (isMeasured)
+    {
+      this->Out << row << "\n";
+    }
+  }
+
+  /** Of each peer its time by that of the first. */
+  void WriteComparison(const std::string& title, const LocatorCase& which)
+  {
+    const LocatorCase first = which.WithPeer(this->Options.Peers[0]);
+    this->WriteRow(title,
+      [&](const std::string& peer)
+      { return GetRatio(this->Results, which.WithPeer(peer), first); });
+  }
+
+  /** Of each peer one of its times by another. */
+  void WriteRatios(const std::string& title, const LocatorCase& which, const LocatorCase& base)
+  {
+    this->WriteRow(title,
+      [&](const std::string& peer)
+      { return GetRatio(this->Results, which.WithPeer(peer), base.WithPeer(peer)); });
+  }
+
+  /** Every benchmark of a locator tells its size; any that ran will do. */
+  double GetIndexBytes(const std::string& data, const std::string& peer) const
+  {
+    for (const LocatorCase& which : this->Options.MakeCases(data, this->Largest))
+    {
+      const double bytes = this->Results.GetCounter(which.WithPeer(peer), "index_bytes_per_point");
+      if (bytes > 0.0)
+      {
+        return bytes;
+      }
+    }
+    return NAN;
+  }
+
+  std::ostream& Out;
+  const LocatorOptions& Options;
+  const LocatorResults& Results;
+  std::size_t Largest;
+};
+}
+
+void WriteFigures(std::ostream& out, const LocatorOptions& options, const LocatorResults& results)
+{
+  Figures figures(out, options, results);
+  out
+    << "\n## Figures\n\nThe bytes of ours hold a copy of the coordinates, 12 per point; nanoflann "
+       "has none. VTK's others do not tell theirs.\n\n";
+  figures.WriteHead();
+  figures.WriteGrowth();
+  for (const std::string& data : options.Data)
+  {
+    figures.WriteBuilds(data);
+  }
+  for (const std::string& data : options.Data)
+  {
+    figures.WriteStartDepths(data);
+  }
+  for (const std::string& queries : options.Queries)
+  {
+    figures.WriteOutlier(queries);
+  }
+  for (const std::string& data : options.Data)
+  {
+    figures.WriteMemory(data);
+  }
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Benchmarks_LocatorFormat_h
+#define Testing_Benchmarks_LocatorFormat_h
+
+#include "LocatorResults.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace locator_benchmark
+{
+/** Two or three digits; a dash for what was not measured. */
+inline std::string FormatNumber(double number)
+{
+  if (std::isnan(number))
+  {
+    return "-";
+  }
+  char text[32];
+  if (number != 0.0 && std::abs(number) < 0.0995)
+  {
+    std::snprintf(text, sizeof(text), "%.2g", number);
+    return text;
+  }
+  const int decimals = std::abs(number) < 9.995 ? 2 : std::abs(number) < 99.95 ? 1 : 0;
+  std::snprintf(text, sizeof(text), "%.*f", decimals, number);
+  return text;
+}
+
+inline std::string FormatTime(double seconds)
+{
+  return std::isnan(seconds) ? "-"
+    : seconds < 1e-6         ? FormatNumber(1e9 * seconds) + " ns"
+    : seconds < 1e-3         ? FormatNumber(1e6 * seconds) + " us"
+    : seconds < 1.0          ? FormatNumber(1e3 * seconds) + " ms"
+                             : FormatNumber(seconds) + " s";
+}
+
+/** How many times as long as `base` something takes; not a number when one was not measured. */
+inline double GetRatio(
+  const LocatorResults& results, const LocatorCase& which, const LocatorCase& base)
+{
+  return results.GetSeconds(which) / results.GetSeconds(base);
+}
+}
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocatorPeers.h"
+
+#include <nanoflann.hpp>
+
+namespace locator_benchmark
+{
+namespace
+{
+/** nanoflann's view of the points. They are kept as float but handed out as double, since nanoflann
+ * subtracts in the type that it is given, and takes positions in it. */
+class Cloud
+{
+public:
+  explicit Cloud(const LocatorData& data)
+    : Data(data)
+  {
+  }
+
+  // The names are nanoflann's.
+  // NOLINTBEGIN(readability-identifier-naming)
+  std::size_t kdtree_get_point_count() const { return this->Data.GetNumberOfPoints(); }
+  double kdtree_get_pt(std::size_t id, std::size_t axis) const
+  {
+    return static_cast<double>(this->Data.GetPoint(id)[axis]);
+  }
+  template <typename Box>
+  bool kdtree_get_bbox(Box&) const
+  {
+    return false;
+  }
+  // NOLINTEND(readability-identifier-naming)
+
+private:
+  const LocatorData& Data;
+};
+
+class NanoflannPeer : public LocatorPeer
+{
+public:
+  void Build(const LocatorData& data) override
+  {
+    this->Points = std::make_unique<Cloud>(data);
+    this->Index = std::make_unique<Tree>(
+      3, *this->Points, nanoflann::KDTreeSingleIndexAdaptorParams(/*leaf_max_size=*/10));
+  }
+
+  vtkIdType FindClosest(const Position& x) override
+  {
+    std::uint32_t id = 0;
+    double distance2 = 0.0;
+    this->Index->knnSearch(x.data(), 1, &id, &distance2);
+    return id;
+  }
+
+  void FindClosest(int count, const Position& x, Answer& answer) override
+  {
+    const auto wanted = static_cast<std::size_t>(count);
+    answer.Ids.resize(wanted);
+    answer.Distances2.resize(wanted);
+    answer.IdsAndDistances2.clear();
+    answer.Ids.resize(
+      this->Index->knnSearch(x.data(), wanted, answer.Ids.data(), answer.Distances2.data()));
+  }
+
+  void FindWithin(double radius, const Position& x, Answer& answer) override
+  {
+    answer.Ids.clear();
+    this->Index->radiusSearch(x.data(), radius * radius, answer.IdsAndDistances2, this->Unsorted);
+  }
+
+  std::vector<vtkIdType> GetIds(const Answer& answer) const override
+  {
+    std::vector<vtkIdType> ids(answer.Ids.begin(), answer.Ids.end());
+    for (const auto& found : answer.IdsAndDistances2)
+    {
+      ids.push_back(found.first);
+    }
+    return ids;
+  }
+
+  std::size_t GetIndexBytes() override { return this->Index->usedMemory(*this->Index); }
+
+private:
+  using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double>;
+  using Tree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 3>;
+
+  std::unique_ptr<Cloud> Points;
+  std::unique_ptr<Tree> Index;
+  const nanoflann::SearchParams Unsorted{ 32, 0.0F, false };
+};
+}
+
+std::unique_ptr<LocatorPeer> MakeNanoflannPeer()
+{
+  return std::make_unique<NanoflannPeer>();
+}
+}

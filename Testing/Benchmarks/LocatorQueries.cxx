@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocatorQueries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace locator_benchmark
+{
+namespace
+{
+using Random = std::mt19937_64;
+
+/** The closest point but `rank`, counted from 0. */
+double GetDistance(const LocatorData& data, LocatorPeer& locator, const Position& x, int rank)
+{
+  Answer answer;
+  locator.FindClosest(rank + 1, x, answer);
+  return std::sqrt(data.GetDistance2(static_cast<std::size_t>(locator.GetIds(answer).back()), x));
+}
+
+Position MoveRandomPoint(const LocatorData& data, LocatorPeer& locator, Random& random)
+{
+  const float* point = data.GetPoint(random() % data.GetNumberOfPoints());
+  Position x{ point[0], point[1], point[2] };
+  const double spacing = GetDistance(data, locator, x, 1);
+  std::normal_distribution<double> normal;
+  for (double& coordinate : x)
+  {
+    coordinate += 0.5 * spacing / std::sqrt(3.0) * normal(random);
+  }
+  return x;
+}
+
+Position MakeUniformPosition(const double bounds[6], Random& random)
+{
+  Position x{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    x[axis] =
+      std::uniform_real_distribution<double>(bounds[2 * axis], bounds[2 * axis + 1])(random);
+  }
+  return x;
+}
+
+double MakeRadius(
+  const LocatorData& data, LocatorPeer& locator, const std::vector<Position>& positions)
+{
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < std::min<std::size_t>(positions.size(), 501); ++i)
+  {
+    distances.push_back(GetDistance(data, locator, positions[i], 29));
+  }
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  // A little more, so that no point lies on it: nanoflann's radius is exclusive, VTK's inclusive.
+  return *middle * (1.0 + 1e-6);
+}
+}
+
+LocatorQueries MakeQueries(const LocatorData& data, LocatorPeer& locator, std::size_t count)
+{
+  Random random(27);
+  LocatorQueries queries{};
+  double bounds[6];
+  data.MakePolyData()->GetBounds(bounds);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    queries.Near.push_back(MoveRandomPoint(data, locator, random));
+    queries.Uniform.push_back(MakeUniformPosition(bounds, random));
+  }
+  queries.Radius = MakeRadius(data, locator, queries.Near);
+  return queries;
+}
+}

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocatorSamples.h"
+
+#include "LocatorTerrain.h"
+#include "PointSamples.h"
+
+#include <cmath>
+#include <random>
+
+namespace locator_benchmark
+{
+namespace
+{
+using Random = std::mt19937_64;
+
+double Uniform(Random& random, double lower, double upper)
+{
+  return std::uniform_real_distribution<double>(lower, upper)(random);
+}
+
+void AddBlurred(
+  std::vector<float>& coordinates, const Position& center, double sigma, Random& random)
+{
+  std::normal_distribution<double> normal(0.0, sigma);
+  for (const double x : center)
+  {
+    coordinates.push_back(static_cast<float>(x + normal(random)));
+  }
+}
+
+/** Ten centres with ten clusters each; the widths of the clusters go over two orders. */
+std::vector<float> MakeClusters(std::size_t count, unsigned seed)
+{
+  struct Cluster
+  {
+    Position Center;
+    double Sigma;
+  };
+  Random random(seed);
+  std::vector<Cluster> clusters;
+  for (int i = 0; i < 10; ++i)
+  {
+    const Position center{ Uniform(random, 0, 1), Uniform(random, 0, 1), Uniform(random, 0, 1) };
+    std::normal_distribution<double> normal(0.0, 0.05);
+    for (int j = 0; j < 10; ++j)
+    {
+      clusters.push_back(
+        { { center[0] + normal(random), center[1] + normal(random), center[2] + normal(random) },
+          std::pow(10.0, Uniform(random, -4.0, -2.0)) });
+    }
+  }
+  std::vector<float> coordinates;
+  coordinates.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Cluster& cluster = clusters[random() % clusters.size()];
+    AddBlurred(coordinates, cluster.Center, cluster.Sigma, random);
+  }
+  return coordinates;
+}
+
+/** A smooth closed curve: a few waves along each axis. */
+struct Curve
+{
+  static constexpr std::size_t Waves = 3;
+  Position Center;
+  std::array<Position, Waves> Amplitudes;
+  std::array<Position, Waves> Phases;
+
+  Position At(double t) const
+  {
+    Position x = this->Center;
+    for (std::size_t wave = 0; wave < Waves; ++wave)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const double angle = 6.283185307179586 * static_cast<double>(wave + 1) * t;
+        x[axis] += this->Amplitudes[wave][axis] * std::cos(angle + this->Phases[wave][axis]);
+      }
+    }
+    return x;
+  }
+};
+
+Curve MakeCurve(Random& random)
+{
+  Curve curve{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    curve.Center[axis] = Uniform(random, 0, 1);
+    for (std::size_t wave = 0; wave < Curve::Waves; ++wave)
+    {
+      curve.Amplitudes[wave][axis] = Uniform(random, 0, 0.2) / static_cast<double>(wave + 1);
+      curve.Phases[wave][axis] = Uniform(random, 0, 6.283185307179586);
+    }
+  }
+  return curve;
+}
+
+std::vector<float> MakeFilaments(std::size_t count, unsigned seed)
+{
+  constexpr double thickness = 1e-4;
+  Random random(seed);
+  std::vector<Curve> curves(50);
+  for (Curve& curve : curves)
+  {
+    curve = MakeCurve(random);
+  }
+  std::vector<float> coordinates;
+  coordinates.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Curve& curve = curves[random() % curves.size()];
+    AddBlurred(coordinates, curve.At(Uniform(random, 0, 1)), thickness, random);
+  }
+  return coordinates;
+}
+
+/** All points but one within a billionth of the box. */
+std::vector<float> MakeOutlier(std::size_t count, unsigned seed)
+{
+  std::vector<float> coordinates = MakeUniformPoints<3, float>(count, seed, 0.0, 1e-9);
+  std::fill(coordinates.end() - 3, coordinates.end(), 1.0F);
+  return coordinates;
+}
+
+std::vector<float> MakeCoordinates(
+  const std::string& name, std::size_t count, const std::string& terrainPath)
+{
+  constexpr unsigned seed = 2008;
+  if (name == "terrain")
+  {
+    return ResampleTerrain(terrainPath, count, seed);
+  }
+  if (name == "cube")
+  {
+    return MakeUniformPoints<3, float>(count, seed);
+  }
+  if (name == "sphere")
+  {
+    return MakeSpherePoints<3, float>(count, seed);
+  }
+  if (name == "clusters")
+  {
+    return MakeClusters(count, seed);
+  }
+  return name == "filaments" ? MakeFilaments(count, seed) : MakeOutlier(count, seed);
+}
+}
+
+const std::vector<std::string>& GetSampleNames()
+{
+  static const std::vector<std::string> names{ "terrain", "cube", "sphere", "clusters", "filaments",
+    "outlier" };
+  return names;
+}
+
+LocatorData MakeSample(const std::string& name, std::size_t count, const std::string& terrainPath)
+{
+  return { name, MakeCoordinates(name, count, terrainPath) };
+}
+}

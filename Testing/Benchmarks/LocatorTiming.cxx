@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LocatorTiming.h"
+
+#include "vtkSMPTools.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+namespace locator_benchmark
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+double GetSecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void Ask(LocatorPeer& peer, const Question& question, const Position& x, Answer& answer)
+{
+  switch (question.What)
+  {
+    case Operation::Closest:
+      answer.Closest = peer.FindClosest(x);
+      break;
+    case Operation::Closest8:
+      peer.FindClosest(8, x, answer);
+      break;
+    case Operation::Closest32:
+      peer.FindClosest(32, x, answer);
+      break;
+    case Operation::Radius:
+      peer.FindWithin(question.Radius, x, answer);
+      break;
+    case Operation::Build:
+      break;
+  }
+}
+}
+
+void UseThreads(int threads)
+{
+  vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "STDThread");
+  vtkSMPTools::Initialize(threads);
+}
+
+Answers GetAnswers(
+  LocatorPeer& peer, const Question& question, std::size_t numberOfPositions, double seconds)
+{
+  Answers answers;
+  std::mutex mutex;
+  const auto start = Clock::now();
+  const auto body = [&](vtkIdType first, vtkIdType last)
+  {
+    Answer answer;
+    for (auto i = static_cast<std::size_t>(first);
+         i < static_cast<std::size_t>(last) && GetSecondsSince(start) < seconds; ++i)
+    {
+      Ask(peer, question, (*question.Positions)[i], answer);
+      const std::lock_guard<std::mutex> lock(mutex);
+      answers[i] = question.What == Operation::Closest ? std::vector<vtkIdType>{ answer.Closest }
+                                                       : peer.GetIds(answer);
+    }
+  };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(numberOfPositions), 8, body);
+  return answers;
+}
+
+Timing TimeQueries(LocatorPeer& peer, const Question& question, double seconds)
+{
+  // Few enough for two threads to finish together.
+  constexpr vtkIdType share = 512;
+  // Between looks at the clock: one at first, for a slow peer.
+  constexpr std::size_t largestBatch = 8;
+  std::atomic<std::size_t> count{ 0 };
+  const auto start = Clock::now();
+  const auto body = [&](vtkIdType first, vtkIdType last)
+  {
+    Answer answer;
+    auto i = static_cast<std::size_t>(first);
+    std::size_t batch = 1;
+    while (i < static_cast<std::size_t>(last) && GetSecondsSince(start) < seconds)
+    {
+      const std::size_t end = std::min(i + batch, static_cast<std::size_t>(last));
+      batch = std::min(2 * batch, largestBatch);
+      for (; i < end; ++i)
+      {
+        Ask(peer, question, (*question.Positions)[i], answer);
+        benchmark::DoNotOptimize(answer.Closest);
+      }
+    }
+    count += i - static_cast<std::size_t>(first);
+  };
+  do
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(question.Positions->size()), share, body);
+  } while (GetSecondsSince(start) < seconds);
+  return { GetSecondsSince(start), count };
+}
+
+Timing TimeBuilds(const PeerKind& kind, const LocatorData& data, double seconds)
+{
+  Timing timing;
+  do
+  {
+    const std::unique_ptr<LocatorPeer> peer = kind.Make();
+    const auto start = Clock::now();
+    peer->Build(data);
+    timing.Seconds += GetSecondsSince(start);
+    ++timing.Count;
+  } while (timing.Seconds < seconds);
+  return timing;
+}
+}
