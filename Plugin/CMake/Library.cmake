@@ -33,7 +33,9 @@ if (HASHEDOCTREE_HAVE_PYTHON)
     BUILD_STATIC        OFF)
   set(package "${HASHEDOCTREE_PYTHON_DIR}/hashedoctree")
   configure_file(Plugin/CMake/__init__.py.in "${PROJECT_BINARY_DIR}/${package}/__init__.py" @ONLY)
-  install(FILES "${PROJECT_BINARY_DIR}/${package}/__init__.py" DESTINATION "${package}")
+  configure_file(Filters/Python/arrays.py "${PROJECT_BINARY_DIR}/${package}/arrays.py" COPYONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/${package}/__init__.py" Filters/Python/arrays.py
+    DESTINATION "${package}")
 endif ()
 
 # --- The CMake package -----------------------------------------------------------------------------

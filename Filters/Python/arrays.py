@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Batches of searches of vtkHashedOctreePointLocator, NumPy arrays in and out.
+
+Positions are arrays of shape (m, 3), of any type that NumPy turns into numbers; float32 and float64
+are read where they are. Results are views of the memory that the search filled, nothing is copied:
+ids are int64, squared distances float64. The searches run on the threads of vtkSMPTools. A batch
+that could not be done (not enough memory, or stopped by AbortBatch()) is a RuntimeError.
+"""
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
+
+__all__ = ["make_points", "find_closest_points", "find_closest_n_points", "find_points_within_radius"]
+
+
+def make_points(positions):
+    """A vtkPolyData with these points and no cells, to give to SetDataSet(). It views the array,
+    which must not change while the locator is in use."""
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    points = vtkPoints()
+    points.SetData(_view(positions))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
+def find_closest_points(locator, positions):
+    """The point closest to each position: ids and squared distances, both of shape (m,); -1 and
+    infinity where there is none."""
+    ids, dist2 = vtkIdTypeArray(), vtkDoubleArray()
+    _check(locator.FindClosestPoints(_view(positions), ids, dist2))
+    return vtk_to_numpy(ids), vtk_to_numpy(dist2)
+
+
+def find_closest_n_points(locator, count, positions):
+    """The count points closest to each position, by distance, then by id: ids and squared
+    distances, both of shape (m, count); -1 and infinity where there are fewer."""
+    ids, dist2 = vtkIdTypeArray(), vtkDoubleArray()
+    view = _view(positions)
+    _check(locator.FindClosestNPoints(count, view, ids, dist2))
+    shape = (view.GetNumberOfTuples(), max(count, 0))
+    return vtk_to_numpy(ids).reshape(shape), vtk_to_numpy(dist2).reshape(shape)
+
+
+def find_points_within_radius(locator, radius, positions):
+    """The points within a radius of each position, by distance, then by id: offsets of shape
+    (m + 1,), ids and squared distances. Those of position i are ids[offsets[i]:offsets[i + 1]]."""
+    offsets, ids, dist2 = vtkIdTypeArray(), vtkIdTypeArray(), vtkDoubleArray()
+    _check(locator.FindPointsWithinRadius(radius, _view(positions), offsets, ids, dist2))
+    return vtk_to_numpy(offsets), vtk_to_numpy(ids), vtk_to_numpy(dist2)
+
+
+def _view(positions):
+    """A VTK array over the positions, which keeps them alive."""
+    positions = numpy.ascontiguousarray(positions)
+    if positions.ndim != 2 or positions.shape[1] != 3:
+        raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}")
+    if positions.dtype not in (numpy.float32, numpy.float64):
+        positions = positions.astype(numpy.float64)
+    return numpy_to_vtk(positions)
+
+
+def _check(done):
+    if not done:
+        raise RuntimeError("the batch of searches was not done; see the errors of the locator")
