@@ -15,7 +15,7 @@ build="$root/build"
 packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libdouble-conversion-dev
   g++ cmake ninja-build xvfb xauth libgl1-mesa-dri libqt5svg5) # the last: ParaView's icons
 test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
-benchmark_packages=(libbenchmark-dev libnanoflann-dev)
+benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
 options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
 sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo BUILD_TESTING:BOOL=ON
   'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O1 -g1 -fno-var-tracking' # compiles in half the time

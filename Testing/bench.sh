@@ -4,12 +4,14 @@
 #
 # Sets everything up and runs one benchmark.
 #   Testing/bench.sh NAME [arguments of Google Benchmark]
+#   Testing/bench.sh python [POINTS [POSITIONS [REPETITIONS]]]   the locator from Python beside cKDTree
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            --help tells its own arguments
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
-declare -A benchmarks=([build]=BenchmarkOctreeBuild [locator]=BenchmarkPointLocator)
+declare -A benchmarks=([build]=BenchmarkOctreeBuild [locator]=BenchmarkPointLocator
+  [python]=benchmark_python.py)
 
 fail() {
   printf 'error: %s\n' "$1" >&2
@@ -44,5 +46,9 @@ shift
 "$root/Plugin/setup.sh" --benchmarks
 PATH="/usr/bin:/bin:$PATH" # Debian's ParaView, as in setup.sh
 program="$root/build/bin/${benchmarks[$name]}"
+if [[ "$name" == python ]]; then
+  export PYTHONPATH="$root/build/lib/python3/dist-packages"
+  exec python3 -B "$root/Testing/Benchmarks/${benchmarks[$name]}" "$@"
+fi
 [[ "$name" != locator ]] || run_locator "$@"
 exec "$program" "$@"
