@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceKernels.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -18,30 +17,31 @@ namespace
 // Always inlined, so that each caller compiles them for its own machine.
 #define HASHEDOCTREE_INLINE __attribute__((always_inline)) inline
 
-/** Four of a kind, in a vector register where the machine has one of that size. */
-template <typename Real>
-using Four __attribute__((vector_size(4 * sizeof(Real)))) = Real;
+/** So many of a kind, in vector registers where the machine has them. */
+template <typename T, std::size_t Number>
+using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
 
 template <int Dim, typename Real>
 HASHEDOCTREE_INLINE double ComputeToPoints(
   const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Four<double> least = { infinity, infinity, infinity, infinity };
-  for (std::size_t i = 0; i < count; i += 4)
+  constexpr std::size_t width = 4;
+  using Doubles = Lanes<double, width>;
+  using Places = Lanes<std::int64_t, width>;
+  const Doubles infinity = Doubles{} + std::numeric_limits<double>::infinity();
+  Doubles least = infinity;
+  Places left = Places{ 0, -1, -2, -3 } + static_cast<std::int64_t>(count);
+  for (std::size_t i = 0; i < count; i += width, left -= width)
   {
-    Four<double> sum = {};
+    Doubles sum = {};
     for (std::size_t axis = 0; axis < Dim; ++axis)
     {
-      Four<Real> loaded;
+      Lanes<Real, width> loaded;
       std::memcpy(&loaded, coordinates + axis * stride + i, sizeof(loaded));
-      const Four<double> difference = __builtin_convertvector(loaded, Four<double>) - x[axis];
+      const Doubles difference = __builtin_convertvector(loaded, Doubles) - x[axis];
       sum += difference * difference;
     }
-    for (std::size_t lane = count - i; lane < 4; ++lane)
-    {
-      sum[lane] = infinity;
-    }
+    sum = left > 0 ? sum : infinity;
     least = sum < least ? sum : least;
     std::memcpy(dist2 + i, &sum, sizeof(sum));
   }
@@ -50,42 +50,31 @@ HASHEDOCTREE_INLINE double ComputeToPoints(
   return a < b ? a : b;
 }
 
+/** One number for each octant. */
 template <int Dim>
-HASHEDOCTREE_INLINE void ComputeToBoxes(
-  const ChildBoxes<Dim>& boxes, const double* steps, float* __restrict dist2)
+using OfOctants = Lanes<float, MortonKey<Dim>::NumberOfOctants>;
+
+/** `lower` and `upper` are those of the boxes, as floats. */
+template <int Dim>
+HASHEDOCTREE_INLINE void ComputeToBoxes(const OfOctants<Dim>* lower, const OfOctants<Dim>* upper,
+  const double* steps, OfOctants<Dim>& dist2)
 {
   constexpr float farthest = 1e15F; // The sum of its squares is still a float.
   constexpr float error = 1e-6F;
-  float sum[MortonKey<Dim>::NumberOfOctants] = {};
+  const OfOctants<Dim> zero = {};
+  dist2 = zero;
   for (int axis = 0; axis < Dim; ++axis)
   {
     float t = static_cast<float>(steps[axis]);
     t = t > -farthest ? t : -farthest;
     t = t < farthest ? t : farthest;
     const float slack = 1e-3F + error * std::abs(t);
-    const float below = t + slack;
-    const float above = t - slack - 1.0F;
-    for (int octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
-    {
-      const float toLower = static_cast<float>(boxes.Lower[axis][octant]) - below;
-      const float toUpper = above - static_cast<float>(boxes.Upper[axis][octant]);
-      float distance = toLower > toUpper ? toLower : toUpper;
-      distance = distance > 0.0F ? distance : 0.0F;
-      sum[octant] += distance * distance;
-    }
+    const OfOctants<Dim> toLower = lower[axis] - (t + slack);
+    const OfOctants<Dim> toUpper = (t - slack - 1.0F) - upper[axis];
+    OfOctants<Dim> distance = toLower > toUpper ? toLower : toUpper;
+    distance = distance > zero ? distance : zero;
+    dist2 += distance * distance;
   }
-  std::copy_n(sum, MortonKey<Dim>::NumberOfOctants, dist2);
-}
-
-template <int Dim>
-HASHEDOCTREE_INLINE unsigned GetMaskWithin(const float* dist2, float limit)
-{
-  unsigned mask = 0;
-  for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
-  {
-    mask |= (dist2[octant] > limit ? 0U : 1U) << octant;
-  }
-  return mask;
 }
 
 template <int Dim, typename Real>
@@ -99,8 +88,25 @@ struct Plain
   static unsigned ToBoxes(
     const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2)
   {
-    ComputeToBoxes<Dim>(boxes, steps, dist2);
-    return GetMaskWithin<Dim>(dist2, limit);
+    OfOctants<Dim> lower[Dim];
+    OfOctants<Dim> upper[Dim];
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
+      {
+        lower[axis][octant] = boxes.Lower[axis][octant];
+        upper[axis][octant] = boxes.Upper[axis][octant];
+      }
+    }
+    OfOctants<Dim> all;
+    ComputeToBoxes<Dim>(lower, upper, steps, all);
+    unsigned mask = 0;
+    for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
+    {
+      dist2[octant] = all[octant];
+      mask |= (all[octant] > limit ? 0U : 1U) << octant;
+    }
+    return mask;
   }
 };
 
@@ -113,17 +119,26 @@ struct Avx2
   {
     return ComputeToPoints<Dim>(coordinates, stride, count, x, dist2);
   }
+};
+
+/** In three dimensions, where the octants fill a vector. */
+struct Avx2Boxes
+{
   __attribute__((target("avx2"))) static unsigned ToBoxes(
-    const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2)
+    const ChildBoxes<3>& boxes, const double* steps, float limit, float* dist2)
   {
-    ComputeToBoxes<Dim>(boxes, steps, dist2);
-    if constexpr (Dim == 3)
+    OfOctants<3> lower[3];
+    OfOctants<3> upper[3];
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const __m256 isWithin =
-        _mm256_cmp_ps(_mm256_loadu_ps(dist2), _mm256_set1_ps(limit), _CMP_NGT_UQ);
-      return static_cast<unsigned>(_mm256_movemask_ps(isWithin));
+      lower[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Lower[axis])));
+      upper[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Upper[axis])));
     }
-    return GetMaskWithin<Dim>(dist2, limit);
+    OfOctants<3> all;
+    ComputeToBoxes<3>(lower, upper, steps, all);
+    _mm256_storeu_ps(dist2, all);
+    const __m256 isWithin = _mm256_cmp_ps(all, _mm256_set1_ps(limit), _CMP_NGT_UQ);
+    return static_cast<unsigned>(_mm256_movemask_ps(isWithin));
   }
 };
 #endif
@@ -134,7 +149,12 @@ DistanceKernels<Dim, Real> ChooseKernels()
 #ifdef HASHEDOCTREE_AVX2
   if (__builtin_cpu_supports("avx2"))
   {
-    return { Avx2<Dim, Real>::ToPoints, Avx2<Dim, Real>::ToBoxes };
+    DistanceKernels<Dim, Real> kernels{ Avx2<Dim, Real>::ToPoints, Plain<Dim, Real>::ToBoxes };
+    if constexpr (Dim == 3)
+    {
+      kernels.ToBoxes = Avx2Boxes::ToBoxes;
+    }
+    return kernels;
   }
 #endif
   return { Plain<Dim, Real>::ToPoints, Plain<Dim, Real>::ToBoxes };

@@ -6,6 +6,8 @@
 #include "DirectSearch.h"
 #include "PointTree.h"
 
+#include <type_traits>
+
 namespace hashedoctree
 {
 /**
@@ -77,6 +79,18 @@ private:
       return;
     }
     this->SearchBall(key, depth - 1);
+  }
+
+  /** Whether the ball reaches into the box of any child of the root. */
+  bool ReachesPoints() const
+  {
+    const Visit root = this->GetVisit(0, this->Ball.GetHome(), 0);
+    float dist2[NumberOfOctants];
+    const double limit =
+      this->GetReach2() / root.StepSize2 * (1.0 + 3.0 * DistanceKernels<Dim, Real>::BoxError);
+    return (this->Nodes.GetBlock(0).Occupied &
+             this->Kernels.ToBoxes(this->Tree.GetChildBoxes(0), root.Steps.data(),
+               static_cast<float>(limit), dist2)) != 0;
   }
 
   void SearchOutwards(Key key, int startDepth, std::size_t wanted)
@@ -227,8 +241,26 @@ private:
     double StepSize2;    ///< Squared side of a step, in world units.
   };
 
-  /** A block, given a cell of MaxDepth in it and its depth. */
   void SearchBlock(std::uint32_t block, const Cell<Dim>& inside, int depth)
+  {
+    const Visit visit = this->GetVisit(block, inside, depth);
+    double farthest = 0.0;
+    for (const double steps : visit.Steps)
+    {
+      farthest = std::max(farthest, std::abs(steps));
+    }
+    if (farthest * farthest <= Far2)
+    {
+      this->template Descend<float>(visit);
+    }
+    else
+    {
+      this->template Descend<double>(visit);
+    }
+  }
+
+  /** Of a block, given a cell of MaxDepth in it and its depth. */
+  Visit GetVisit(std::uint32_t block, const Cell<Dim>& inside, int depth) const
   {
     const int shift = Key::MaxDepth - depth;
     const double step =
@@ -242,7 +274,7 @@ private:
     }
     const double stepSize = step * this->Ball.GetCellSize();
     visit.StepSize2 = stepSize * stepSize;
-    this->Descend(visit);
+    return visit;
   }
 
   static Visit GoDown(const Visit& visit, const Block& block, unsigned octant)
@@ -258,7 +290,9 @@ private:
     return child;
   }
 
-  /** Searches the children of a block, nearer ones first, as long as they reach into the ball. */
+  /** Searches the children of a block, nearer ones first, as long as they reach into the ball. With
+   * distances in float, or from far away in double. */
+  template <typename T>
   void Descend(const Visit& visit)
   {
     if (visit.Block == this->SearchedBlock)
@@ -268,12 +302,21 @@ private:
     this->Examined.AddNode();
     const Block& block = this->Nodes.GetBlock(visit.Block);
     const ChildBoxes<Dim>& boxes = this->Tree.GetChildBoxes(visit.Block);
-    float dist2[NumberOfOctants];
-    constexpr double error = DistanceKernels<Dim, Real>::BoxError;
+    T dist2[NumberOfOctants];
+    constexpr double error =
+      std::is_same_v<T, float> ? DistanceKernels<Dim, Real>::BoxError : FarError;
     const double scale = visit.StepSize2 * (1.0 - error);
     // Where distances overflow, the limit is no number, and nothing is left out.
-    const auto limit = static_cast<float>(this->GetReach2() / scale * (1.0 + error));
-    unsigned left = block.Occupied & this->Kernels.ToBoxes(boxes, visit.Steps.data(), limit, dist2);
+    const auto limit = static_cast<T>(this->GetReach2() / scale * (1.0 + error));
+    unsigned left = block.Occupied;
+    if constexpr (std::is_same_v<T, float>)
+    {
+      left &= this->Kernels.ToBoxes(boxes, visit.Steps.data(), limit, dist2);
+    }
+    else
+    {
+      left &= MeasureFarBoxes(boxes, visit.Steps, limit, dist2);
+    }
     if constexpr (Collector::TakesWholeNodes)
     {
       left = this->TakeWholeNodes(visit, block, boxes, left);
@@ -291,16 +334,47 @@ private:
         return;
       }
       left &= ~(1U << nearest);
-      if ((block.Internal >> nearest & 1U) != 0)
-      {
-        this->Descend(GoDown(visit, block, nearest));
-      }
-      else
+      if ((block.Internal >> nearest & 1U) == 0)
       {
         this->ScanChild(block, nearest);
       }
+      else if (std::is_same_v<T, float> && dist2[nearest] <= T(Far2 / 4.0))
+      {
+        this->template Descend<float>(GoDown(visit, block, nearest));
+      }
+      else
+      {
+        this->template Descend<double>(GoDown(visit, block, nearest));
+      }
     }
   }
+
+  /** Beyond this squared distance in steps a block is so far away, beside its size, that the
+   * children's boxes are all one to a float. */
+  static constexpr double Far2 = (64.0 * ChildBoxes<Dim>::Steps) * (64.0 * ChildBoxes<Dim>::Steps);
+
+  /** As DistanceKernels::ToBoxes(), in double. */
+  static unsigned MeasureFarBoxes(
+    const ChildBoxes<Dim>& boxes, const Position<Dim>& steps, double limit, double* dist2)
+  {
+    unsigned mask = 0;
+    for (unsigned octant = 0; octant < NumberOfOctants; ++octant)
+    {
+      dist2[octant] = 0.0;
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        const double t = steps[axis];
+        const double slack = 1e-3 + FarError * std::abs(t);
+        const double below = boxes.Lower[axis][octant] - t - slack;
+        const double above = t - slack - (boxes.Upper[axis][octant] + 1.0);
+        const double distance = std::max(0.0, std::max(below, above));
+        dist2[octant] += distance * distance;
+      }
+      mask |= (dist2[octant] > limit ? 0U : 1U) << octant;
+    }
+    return mask;
+  }
+  static constexpr double FarError = 4e-15; ///< More than rounding does to a place, or a square.
 
   /** The squared distance beyond which nothing is of use, with room for underflow. */
   double GetReach2() const { return this->Points.GetBound2() + BallInGrid<Dim>::Underflow; }

@@ -178,6 +178,31 @@ TYPED_TEST(TestPointSearch, FindsAmongMany)
     PointSample<dim, double>{ "clusters", MakeClusteredPoints<dim, double>(20000, 154) }, 16, 40);
 }
 
+TEST(TestPointSearchFacts, NoPositionIsSlowBesideADenseSpot)
+{
+  // From afar all points of the spot are equally close to a float, and all but one to the eye.
+  std::vector<double> coordinates = MakeUniformPoints<3, double>(50000, 157, 0.0, 1e-9);
+  coordinates.insert(coordinates.end(), 3, 1.0);
+  const PointSample<3, double> sample{ "spot", coordinates };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  PointTree<3, double> tree(sample.GetSpan(), selection, { 16, 21 }, Execution());
+  const BruteForceSearch<3, double> oracle(sample.GetSpan());
+  for (const Position<3>& x : { Position<3>{ 0.3, 0.1, 0.2 }, Position<3>{ 2e-9, 1e-9, 0.0 },
+         Position<3>{ 5e-10, 5e-10, 5e-10 }, Position<3>{ -3.0, 0.0, 7.0 },
+         Position<3>{ 1e4, -1e4, 1e3 } })
+  {
+    for (const StartDepthModel model : { StartDepthModel::Median, StartDepthModel::Root })
+    {
+      tree.SetStartDepths({ model, FrequencyModel::Leaves, 0 });
+      const PointSearch<3, double> search(tree);
+      FoundPoint closest{};
+      ASSERT_TRUE(search.FindClosest(x, closest));
+      EXPECT_EQ(closest.Id, oracle.FindAll(x)[0].Id);
+      EXPECT_LT(search.CountNodesForClosest(x), 150U);
+    }
+  }
+}
+
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
 {
   // Beyond the number that is kept in order all the time.

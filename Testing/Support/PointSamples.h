@@ -149,6 +149,11 @@ std::vector<PointSample<Dim, Real>> MakePointSamples()
   outlier.insert(outlier.end(), Dim, Real(1));
   add("one outlier", outlier);
 
+  // Smaller than a cell of the last depth.
+  std::vector<Real> spot = transformed(uniform, 1e-12, 0.0);
+  spot.insert(spot.end(), Dim, Real(1));
+  add("dense spot and outlier", spot);
+
   std::vector<Real> broken = uniform;
   broken[0] = notANumber;
   broken[Dim * 17 + Dim - 1] = infinity;
