@@ -14,6 +14,8 @@
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -82,6 +84,7 @@ class vtkHashedOctreePointLocator::Index
 public:
   std::variant<PointTree<3, float>, PointTree<3, double>> Points;
   LeafNumbers<3> Leaves;
+  vtkPointSet* PointSet = nullptr; ///< The locator's data set, if it is one.
 
   /** Calls function(tree). */
   template <typename Function>
@@ -173,7 +176,18 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
 bool vtkHashedOctreePointLocator::IsUpToDate()
 {
   return this->Tree && this->BuildTime > this->GetMTime() &&
-    (this->DataSet == nullptr || this->BuildTime > this->DataSet->GetMTime());
+    (this->DataSet == nullptr || this->BuildTime > this->GetPointsMTime());
+}
+
+vtkMTimeType vtkHashedOctreePointLocator::GetPointsMTime() const
+{
+  vtkPointSet* pointSet = this->Tree->PointSet;
+  if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
+  {
+    return this->DataSet->GetMTime();
+  }
+  // Each query asks, and to ask the cells and all arrays, too, takes as long as finding a point.
+  return std::max(pointSet->vtkObject::GetMTime(), pointSet->GetPoints()->GetMTime());
 }
 
 void vtkHashedOctreePointLocator::BuildLocator()
@@ -199,6 +213,7 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
 {
   this->FreeSearchStructure();
   this->Tree = std::make_unique<Index>();
+  this->Tree->PointSet = vtkPointSet::SafeDownCast(this->DataSet);
   if (this->DataSet != nullptr && this->DataSet->GetNumberOfPoints() > 0)
   {
     try

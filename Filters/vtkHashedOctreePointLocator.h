@@ -33,9 +33,10 @@
  *   at all points unless they are at one place: leaves at depth 21 with more points than they may
  *   hold have trees of their own. (With a smaller MaxDepth leaves are as large as was asked for.)
  *
- * Every query builds the tree first if it must: when there is none, or when the locator or the data
- * set was modified after the last build (and UseExistingSearchStructure is off). So the data set
- * may be changed, emptied or replaced between queries. After BuildLocator(), called directly or by
+ * Every query builds the tree first if it must: when there is none, or when the locator, the data
+ * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
+ * the data set may be changed, emptied or replaced between queries; a change of its cells or
+ * attributes alone asks for no new tree. After BuildLocator(), called directly or by
  * a query, the queries are thread safe as long as nothing is modified. The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points;
  * more, or not enough memory, is an error, after which queries find nothing.
@@ -237,6 +238,7 @@ private:
   bool RunBatch(
     vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function);
   bool IsUpToDate();
+  vtkMTimeType GetPointsMTime() const;
   void FillIndex();
   void SetStartDepthProperty(int& property, int value);
   void ChooseStartDepths();

@@ -4,6 +4,9 @@
 #include "PointSamples.h"
 #include "TestedLocator.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkVersionMacros.h"
 #include "vtkWeakPointer.h"
 
@@ -114,6 +117,12 @@ TEST(TestHashedOctreePointLocatorBuild, ModificationsRebuild)
   EXPECT_EQ(locator.Use(), 1U);
   locator.GetCloud()->GetPoints()->Modified();
   EXPECT_EQ(locator.Use(), 1U);
+  locator.GetCloud()->GetPoints()->GetData()->Modified();
+  EXPECT_EQ(locator.Use(), 1U);
+  vtkNew<vtkPoints> others;
+  others->DeepCopy(locator.GetCloud()->GetPoints());
+  locator.GetCloud()->SetPoints(others);
+  EXPECT_EQ(locator.Use(), 1U);
   locator->SetMaxPointsPerLeaf(1);
   EXPECT_EQ(locator.Use(), 1U);
   locator->SetMaxDepth(4);
@@ -125,6 +134,15 @@ TEST(TestHashedOctreePointLocatorBuild, ModificationsRebuild)
   EXPECT_EQ(locator.Use(), 1U);
   locator->Initialize();
   EXPECT_EQ(locator.Use(), 1U);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, CellsAndAttributesAskForNoNewTree)
+{
+  CountedLocator locator;
+  EXPECT_EQ(locator.Use(), 1U);
+  locator.GetCloud()->GetPointData()->Modified();
+  locator.GetCloud()->GetCellData()->Modified();
+  EXPECT_EQ(locator.Use(), 0U);
 }
 
 TEST(TestHashedOctreePointLocatorBuild, ForceBuildLocatorAlwaysBuilds)

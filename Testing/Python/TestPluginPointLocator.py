@@ -7,7 +7,7 @@ from paraview import servermanager, simple
 
 ENUMERATIONS = {
     "FrequencyModel": ["Leaves", "Points", "Grid"],
-    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
+    "StartDepthModel": ["Median", "Mean", "Root", "Fixed", "Local"],
 }
 PROPERTIES = ["MaxPointsPerLeaf", "MaxDepth", "FixedStartDepth"] + list(ENUMERATIONS)
 proxy = servermanager.ProxyManager().NewProxy("point_locators", "HashedOctreePointLocator")
