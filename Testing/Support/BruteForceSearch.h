@@ -51,9 +51,9 @@ public:
   std::vector<OracleFound> FindAll(const hashedoctree::Position<Dim>& x) const
   {
     std::vector<OracleFound> found;
-    for (std::size_t i = 0; i < this->Points.Count && IsFinite(x.data()); ++i)
+    for (std::size_t i = 0; i < this->Points.Count && IsWithin(x.data(), Most); ++i)
     {
-      if (IsFinite(this->Points[i]))
+      if (IsWithin(this->Points[i], MostOfPoints))
       {
         double dist2 = 0.0;
         for (int axis = 0; axis < Dim; ++axis)
@@ -70,6 +70,26 @@ public:
     return found;
   }
 
+  /** The ids of the points in a box that can be found, in order. */
+  std::vector<std::int64_t> FindWithin(const hashedoctree::Box<Dim>& box) const
+  {
+    std::vector<std::int64_t> found;
+    for (std::size_t i = 0; i < this->Points.Count; ++i)
+    {
+      bool inside = IsWithin(this->Points[i], MostOfPoints);
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        const auto x = static_cast<double>(this->Points[i][axis]);
+        inside = inside && x >= box.Lower[axis] && x <= box.Upper[axis];
+      }
+      if (inside)
+      {
+        found.push_back(static_cast<std::int64_t>(i));
+      }
+    }
+    return found;
+  }
+
   /** The box around the points that can be found; Box's default when there are none. */
   hashedoctree::Box<Dim> GetBox() const
   {
@@ -78,7 +98,7 @@ public:
     {
       hashedoctree::Position<Dim> x{};
       std::copy(this->Points[i], this->Points[i] + Dim, x.begin());
-      if (IsFinite(x.data()))
+      if (IsWithin(x.data(), MostOfPoints))
       {
         box.Add({ x, x });
       }
@@ -87,15 +107,14 @@ public:
   }
 
 private:
+  static constexpr double Most = std::numeric_limits<double>::max();
+  static constexpr double MostOfPoints = Most / 4; ///< Points beyond cannot be found.
+
   template <typename Coordinate>
-  static bool IsFinite(const Coordinate* x)
+  static bool IsWithin(const Coordinate* x, double most)
   {
     return std::all_of(x, x + Dim,
-      [](Coordinate coordinate)
-      {
-        return std::isfinite(coordinate) &&
-          std::abs(static_cast<double>(coordinate)) < std::numeric_limits<double>::max() / 2;
-      });
+      [most](Coordinate coordinate) { return std::abs(static_cast<double>(coordinate)) <= most; });
   }
 
   hashedoctree::PointSpan<Dim, Real> Points;
