@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Fuzz_PointSearchInput_h
+#define Testing_Fuzz_PointSearchInput_h
+
+#include "DepthStatistics.h"
+#include "FuzzBytes.h"
+#include "PointSelection.h"
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+/** What a tree is made with, apart from its points. */
+struct TreeProperties
+{
+  std::size_t MaxPointsPerLeaf;
+  int MaxDepth;
+  hashedoctree::StartDepthOptions StartDepths;
+
+  explicit TreeProperties(FuzzBytes& bytes)
+  {
+    constexpr std::size_t buckets[] = { 1, 2, 3, 4, 8, 16, 40, 100 };
+    constexpr unsigned depths = hashedoctree::MortonKey<3>::MaxDepth + 1;
+    this->MaxPointsPerLeaf = buckets[bytes.ReadByte() % std::size(buckets)];
+    const unsigned depth = bytes.ReadByte(); // Mostly the default.
+    this->MaxDepth = static_cast<int>(depth < 128 ? depths - 1 : depth % depths);
+    const unsigned start = bytes.ReadByte();
+    this->StartDepths = { static_cast<hashedoctree::StartDepthModel>(start % 5),
+      static_cast<hashedoctree::FrequencyModel>(start / 5 % 3),
+      static_cast<int>(start / 5 % depths) };
+  }
+};
+
+/** What is searched for. */
+struct PointQuery
+{
+  enum Kinds
+  {
+    Closest,
+    ClosestWithin,
+    ClosestFew,
+    Within,
+    InBox
+  };
+  enum Radii
+  {
+    Given,
+    OfNeighbor, ///< The distance of a neighbor, exactly.
+    BelowNeighbor,
+    AboveNeighbor
+  };
+
+  Kinds Kind;
+  hashedoctree::Position<3> X;
+  hashedoctree::Position<3> Upper; ///< Of a box from X.
+  std::size_t Count;
+  Radii RadiusKind;
+  double Radius;        ///< Where it is given.
+  std::size_t Neighbor; ///< Which, by distance and modulo their number, where it is not.
+};
+
+/**
+ * Points and queries, made from bytes of any kind. They are a list of steps: the low half of a byte
+ * says what is done, its high half is an argument of it, and what else is needed follows. Points
+ * are made one by one, or many at a time, in units of a scale from an origin, both of which are set
+ * by steps, too. What needs an earlier point names it by a byte.
+ */
+template <typename Real>
+class PointSearchInput
+{
+public:
+  static constexpr std::size_t MostPoints = 400; // More of either is slower, and finds no more.
+  static constexpr std::size_t MostQueries = 24;
+
+  explicit PointSearchInput(FuzzBytes& bytes)
+    : Bytes(bytes)
+  {
+    while (!this->Bytes.IsEmpty())
+    {
+      this->ReadStep();
+    }
+  }
+
+  hashedoctree::PointSpan<3, Real> GetPoints() const
+  {
+    return { this->Coordinates.data(), this->Coordinates.size() / 3 };
+  }
+  const std::vector<PointQuery>& GetQueries() const { return this->Queries; }
+
+private:
+  using Position = hashedoctree::Position<3>;
+
+  void ReadStep()
+  {
+    const unsigned byte = this->Bytes.ReadByte();
+    const unsigned argument = byte / 16;
+    switch (byte % 16)
+    {
+      case 0:
+        this->AddPoint(this->ReadNearby(this->Origin));
+        break;
+      case 1:
+        this->AddPoint(this->template ReadRaw<Real>());
+        break;
+      case 2:
+        this->AddCopies(this->ReadPoint(), argument + 1);
+        break;
+      case 3:
+        this->AddLattice(2 + argument % 4);
+        break;
+      case 4:
+        this->AddCloud(8 * (argument + 1));
+        break;
+      case 5:
+        this->AddPoint(this->template ReadBeside<Real>(argument));
+        break;
+      case 6:
+        this->Scale = GetScale(argument);
+        break;
+      case 7:
+        this->SetOrigin(argument);
+        break;
+      case 8:
+        this->AddPoint(this->ReadSpecial(argument));
+        break;
+      case 15:
+        this->ReadBox(argument);
+        break;
+      default:
+        this->ReadQuery(static_cast<PointQuery::Kinds>(byte % 4), argument);
+        break;
+    }
+  }
+
+  void AddPoint(const Position& x)
+  {
+    if (this->GetPoints().Count < MostPoints)
+    {
+      for (const double coordinate : x)
+      {
+        this->Coordinates.push_back(ToReal<Real>(coordinate));
+      }
+    }
+  }
+
+  void AddCopies(const Position& x, unsigned count)
+  {
+    for (unsigned i = 0; i < count; ++i)
+    {
+      this->AddPoint(x);
+    }
+  }
+
+  void AddLattice(unsigned side)
+  {
+    const Position corner = this->ReadNearby(this->Origin);
+    for (unsigned i = 0; i < side * side * side; ++i)
+    {
+      const unsigned steps[] = { i % side, i / side % side, i / (side * side) };
+      Position x = corner;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        x[axis] += this->Scale * steps[axis];
+      }
+      this->AddPoint(x);
+    }
+  }
+
+  void AddCloud(unsigned count)
+  {
+    std::uint32_t state = this->Bytes.ReadByte();
+    for (unsigned i = 0; i < count; ++i)
+    {
+      Position x = this->Origin;
+      for (double& coordinate : x)
+      {
+        state = state * 1664525U + 1013904223U;
+        coordinate += this->Scale * (state >> 16) / 65536.0;
+      }
+      this->AddPoint(x);
+    }
+  }
+
+  void SetOrigin(unsigned argument)
+  {
+    if (argument % 2 == 0)
+    {
+      this->Origin.fill(GetOffset(argument / 2));
+    }
+    else
+    {
+      this->Origin = this->ReadPoint();
+    }
+  }
+
+  void ReadQuery(PointQuery::Kinds kind, unsigned argument)
+  {
+    PointQuery query{};
+    query.Kind = kind;
+    query.X = this->ReadPosition(argument);
+    const unsigned byte = this->Bytes.ReadByte();
+    if (kind == PointQuery::ClosestFew)
+    {
+      query.Count = byte < 250 ? byte : std::size_t(1000) << byte % 50;
+    }
+    else if (kind != PointQuery::Closest)
+    {
+      this->ReadRadius(query, byte);
+    }
+    this->AddQuery(query);
+  }
+
+  void ReadBox(unsigned argument)
+  {
+    PointQuery query{};
+    query.Kind = PointQuery::InBox;
+    query.X = this->ReadPosition(argument);
+    const unsigned byte = this->Bytes.ReadByte();
+    query.Upper = this->ReadPosition(byte);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      if (query.X[axis] > query.Upper[axis] && byte < 240) // Else it is no box.
+      {
+        std::swap(query.X[axis], query.Upper[axis]);
+      }
+    }
+    this->AddQuery(query);
+  }
+
+  void AddQuery(const PointQuery& query)
+  {
+    if (this->Queries.size() < MostQueries)
+    {
+      this->Queries.push_back(query);
+    }
+  }
+
+  Position ReadPosition(unsigned argument)
+  {
+    switch (argument % 8)
+    {
+      case 0:
+        return this->ReadPoint();
+      case 1:
+        return this->template ReadBeside<Real>(this->Bytes.ReadByte());
+      case 2:
+        return this->ReadNearby(this->Origin);
+      case 3:
+        return this->template ReadBeside<double>(this->Bytes.ReadByte());
+      case 4:
+        return this->ReadNearby(this->ReadPoint());
+      case 5:
+        return this->ReadMidpoint();
+      case 6:
+        return this->ReadSpecial(this->Bytes.ReadByte());
+      default:
+        return this->template ReadRaw<double>();
+    }
+  }
+
+  void ReadRadius(PointQuery& query, unsigned byte)
+  {
+    query.Neighbor = byte / 8;
+    switch (byte % 8)
+    {
+      case 0:
+      case 1:
+        query.RadiusKind = PointQuery::OfNeighbor;
+        break;
+      case 2:
+        query.RadiusKind = PointQuery::BelowNeighbor;
+        break;
+      case 3:
+        query.RadiusKind = PointQuery::AboveNeighbor;
+        break;
+      case 4:
+        query.RadiusKind = PointQuery::OfNeighbor;
+        query.Neighbor = this->Bytes.template Read<std::uint16_t>();
+        break;
+      case 5:
+        query.Radius = this->Scale * this->Bytes.ReadByte();
+        break;
+      case 6:
+        query.Radius = GetSpecial(byte / 8);
+        break;
+      default:
+        query.Radius = this->Bytes.template Read<double>();
+        break;
+    }
+  }
+
+  /** An earlier point; the origin where there is none. */
+  Position ReadPoint()
+  {
+    const std::size_t i = this->Bytes.ReadByte();
+    Position x = this->Origin;
+    if (!this->Coordinates.empty())
+    {
+      const Real* point = this->GetPoints()[i % this->GetPoints().Count];
+      std::copy(point, point + 3, x.begin());
+    }
+    return x;
+  }
+
+  Position ReadNearby(Position x)
+  {
+    for (double& coordinate : x)
+    {
+      coordinate += this->Scale * this->Bytes.template Read<std::int8_t>();
+    }
+    return x;
+  }
+
+  Position ReadMidpoint()
+  {
+    Position x = this->ReadPoint();
+    const Position other = this->ReadPoint();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = 0.5 * x[axis] + 0.5 * other[axis];
+    }
+    return x;
+  }
+
+  /** An earlier point with one coordinate that is a border case. */
+  Position ReadSpecial(unsigned argument)
+  {
+    Position x = this->ReadPoint();
+    x[argument % 3] = GetSpecial(this->Bytes.ReadByte());
+    return x;
+  }
+
+  template <typename Coordinate>
+  Position ReadRaw()
+  {
+    Position x{};
+    for (double& coordinate : x)
+    {
+      coordinate = static_cast<double>(this->Bytes.template Read<Coordinate>());
+    }
+    return x;
+  }
+
+  /** The next position from an earlier point along an axis. */
+  template <typename Coordinate>
+  Position ReadBeside(unsigned argument)
+  {
+    constexpr Coordinate infinity = std::numeric_limits<Coordinate>::infinity();
+    Position x = this->ReadPoint();
+    double& coordinate = x[argument / 2 % 3];
+    coordinate = static_cast<double>(
+      std::nextafter(ToReal<Coordinate>(coordinate), argument % 2 == 0 ? infinity : -infinity));
+    return x;
+  }
+
+  /** Where the value does not fit, a conversion to float would be undefined. */
+  template <typename Coordinate>
+  static Coordinate ToReal(double x)
+  {
+    using Limits = std::numeric_limits<Coordinate>;
+    constexpr double most = Limits::max();
+    return x > most ? Limits::infinity()
+      : x < -most   ? -Limits::infinity()
+                    : static_cast<Coordinate>(x);
+  }
+
+  static double GetScale(unsigned i)
+  {
+    constexpr double scales[] = { 1.0, 0.1, 0x1p-21, 0x1p-22, 0x1p-30, 1e-9, 1e-15, 1e-30, 1e-160,
+      1e-310, 1e3, 1e6, 1e15, 1e30, 1e150, 1e300 };
+    return scales[i % std::size(scales)];
+  }
+
+  static double GetOffset(unsigned i)
+  {
+    constexpr double offsets[] = { 0.0, 1.0, -1.0, 0.1, 1e6, -1e6, 1e15, 1e150 };
+    return offsets[i % std::size(offsets)];
+  }
+
+  static double GetSpecial(unsigned i)
+  {
+    using Limits = std::numeric_limits<double>;
+    constexpr double specials[] = { Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
+      Limits::max(), -Limits::max(), Limits::max() / 2, Limits::max() / 4, -Limits::max() / 4,
+      1e154, 1e-154, Limits::min(), Limits::denorm_min(), -Limits::denorm_min(), 0.0, -0.0, -1.0 };
+    return specials[i % std::size(specials)];
+  }
+
+  FuzzBytes& Bytes;
+  double Scale = 1.0;
+  Position Origin{};
+  std::vector<Real> Coordinates;
+  std::vector<PointQuery> Queries;
+};
+
+#endif
