@@ -5,6 +5,7 @@
 # Installs what is missing and builds. A second run with nothing to do takes a second.
 #   Plugin/setup.sh [--tests] [--benchmarks]     the plugin and the Python package, in build/
 #   Plugin/setup.sh --sanitize address|thread    the tests with a sanitizer, in build/asan or build/tsan
+#   Plugin/setup.sh --fuzz                       the fuzzer, in build/fuzz
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -16,10 +17,13 @@ packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libd
   g++ cmake ninja-build xvfb xauth libgl1-mesa-dri libqt5svg5) # the last: ParaView's icons
 test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
 benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
+fuzz_packages=(clang libclang-rt-dev llvm g++ cmake ninja-build) # llvm names the lines of a crash
 options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
 sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo BUILD_TESTING:BOOL=ON
   'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O1 -g1 -fno-var-tracking' # compiles in half the time
   HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:BOOL=OFF)
+fuzz_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo 'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O2 -g1'
+  CMAKE_CXX_COMPILER:FILEPATH=/usr/bin/clang++ HASHEDOCTREE_HOST:STRING=NONE HASHEDOCTREE_FUZZ:BOOL=ON)
 
 fail() {
   printf 'error: %s\n' "$1" >&2
@@ -47,6 +51,10 @@ read_arguments() {
           *) fail "--sanitize takes address or thread" ;;
         esac
         shift ;;
+      --fuzz)
+        build="$root/build/fuzz"
+        packages=("${fuzz_packages[@]}")
+        options=("${fuzz_options[@]}") ;;
       *) fail "unknown option $1; see the head of Plugin/setup.sh" ;;
     esac
     shift
