@@ -6,6 +6,7 @@
 #include "DirectSearch.h"
 #include "PointTree.h"
 
+#include <limits>
 #include <type_traits>
 
 namespace hashedoctree
@@ -87,7 +88,7 @@ private:
     const Visit root = this->GetVisit(0, this->Ball.GetHome(), 0);
     float dist2[NumberOfOctants];
     const double limit =
-      this->GetReach2() / root.StepSize2 * (1.0 + 3.0 * DistanceKernels<Dim, Real>::BoxError);
+      this->GetReach2(root) / root.StepSize2 * (1.0 + 3.0 * DistanceKernels<Dim, Real>::BoxError);
     return (this->Nodes.GetBlock(0).Occupied &
              this->Kernels.ToBoxes(this->Tree.GetChildBoxes(0), root.Steps.data(),
                static_cast<float>(limit), dist2)) != 0;
@@ -307,7 +308,7 @@ private:
       std::is_same_v<T, float> ? DistanceKernels<Dim, Real>::BoxError : FarError;
     const double scale = visit.StepSize2 * (1.0 - error);
     // Where distances overflow, the limit is no number, and nothing is left out.
-    const auto limit = static_cast<T>(this->GetReach2() / scale * (1.0 + error));
+    const auto limit = static_cast<T>(this->GetReach2(visit) / scale * (1.0 + error));
     unsigned left = block.Occupied;
     if constexpr (std::is_same_v<T, float>)
     {
@@ -329,7 +330,9 @@ private:
         const auto octant = static_cast<unsigned>(__builtin_ctz(others));
         nearest = dist2[octant] < dist2[nearest] ? octant : nearest;
       }
-      if (static_cast<double>(dist2[nearest]) * scale > this->GetReach2())
+      // (A distance that has overflowed tells nothing.)
+      if (static_cast<double>(dist2[nearest]) * scale > this->GetReach2(visit) &&
+        dist2[nearest] <= std::numeric_limits<T>::max())
       {
         return;
       }
@@ -376,17 +379,22 @@ private:
   }
   static constexpr double FarError = 4e-15; ///< More than rounding does to a place, or a square.
 
-  /** The squared distance beyond which nothing is of use, with room for underflow. */
-  double GetReach2() const { return this->Points.GetBound2() + BallInGrid<Dim>::Underflow; }
+  /** The squared distance beyond which a child of a block is of no use. Where squares are too small
+   * to be exact there is none. */
+  double GetReach2(const Visit& visit) const
+  {
+    return visit.StepSize2 > SmallestExact ? this->Points.GetBound2()
+                                           : std::numeric_limits<double>::infinity();
+  }
+  static constexpr double SmallestExact = 1e-280;
 
   /** Hands over the points of the children that lie in the ball as a whole; returns the others. */
   unsigned TakeWholeNodes(
     const Visit& visit, const Block& block, const ChildBoxes<Dim>& boxes, unsigned octants)
   {
     // Where squares are too small to be exact, points are looked at one by one.
-    constexpr double smallest = 1e-280;
     const double radius2 = this->Points.GetBound2() / visit.StepSize2;
-    if (!(visit.StepSize2 > smallest && radius2 > 1.0))
+    if (!(visit.StepSize2 > SmallestExact && radius2 > 1.0))
     {
       return octants;
     }

@@ -32,6 +32,9 @@ void LocatorGroup::BuildPeers()
   {
     this->Peers[name] = GetPeerKind(name).Make();
     this->Peers[name]->Build(this->Data);
+    // VTK's k-d tree makes one of its lists in the first radius search, which two threads must not.
+    Answer answer;
+    this->Peers[name]->FindWithin(0.0, Position{}, answer);
   }
 }
 
