@@ -30,11 +30,12 @@ struct FoundPoint
  *
  * A search begins at the leaf of the position, which it finds from the start depth. A ball around
  * the position that reaches further is covered by the at most 2^Dim cells of the smallest depth
- * whose cells are as wide as the ball. They are reached directly through the table, and only they
- * are descended into, past the boxes of their children.
+ * whose cells are as wide as the ball, or by one cell that is hardly larger. They are reached
+ * directly through the table, and only they are descended into, past the boxes of their children.
+ * From start depth 0 it is the classical search, down from the root without the table.
  *
  * Positions may lie anywhere; one that is not finite has no points near it. All members are thread
- * safe. Mean cost of the closest point is O(1) near the points; O(depth * 2^Dim) or so far from
+ * safe. Mean cost of the closest point is O(1) near the points, about O(depth * 2^Dim) far from
  * them.
  */
 template <int Dim, typename Real>
