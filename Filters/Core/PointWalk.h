@@ -70,6 +70,10 @@ private:
 
   void SearchFixedBall(Key key, int startDepth)
   {
+    if (!this->ReachesPoints())
+    {
+      return;
+    }
     this->Ball.SetRadius2(this->Points.GetBound2());
     const FoundLeaf<Dim> leaf =
       FindLeaf(this->Nodes, key, std::min(startDepth, this->Ball.GetCoverDepth()), this->Examined);
