@@ -19,7 +19,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <new>
 #include <variant>
@@ -114,8 +113,7 @@ public:
   Value AtLeafOf(const double x[3], Value nothing, const Function& function) const
   {
     const Octree<3>& tree = this->GetOctree();
-    const bool hasLeaf = tree.GetNumberOfPoints() > 0 &&
-      std::all_of(x, x + 3, [](double c) { return std::isfinite(c); });
+    const bool hasLeaf = tree.GetNumberOfPoints() > 0 && IsFinite(Position<3>{ x[0], x[1], x[2] });
     return hasLeaf ? static_cast<Value>(function(tree.GetGrid().GetKey(x))) : nothing;
   }
 };

@@ -159,8 +159,10 @@ public:
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id.
    *   Both: -1 and infinity where there is no (other) point; nothing for a count of 0 or less.
    * - FindPointsWithinRadius(): those of position i, by distance, then by id, stand at offsets[i]
-   * to offsets[i + 1] - 1 in `ids` and `dist2`; `offsets` has one value more than there are
-   * positions. Call from one thread at a time; builds the tree if it must.
+   *   to offsets[i + 1] - 1 in `ids` and `dist2`; `offsets` has one value more than there are
+   *   positions.
+   *
+   * Call from one thread at a time; builds the tree if it must.
    */
   bool FindClosestPoints(vtkDataArray* queries, vtkIdTypeArray* ids, vtkDoubleArray* dist2);
   bool FindClosestNPoints(
@@ -203,8 +205,8 @@ public:
    * The nodes at a depth that hold points, as boxes, one vtkPolyLine along the edges of each; all
    * leaves that hold points for a negative level. 0 is the root, GetLevel() the deepest; deeper
    * levels have no nodes. Ordered by depth, then by Morton key. Cell arrays as in
-   * vtkHashedOctreeFilter: Depth (active scalars), HitCost, RootCost, PointCount, MortonKey. Builds
-   * the tree if it must.
+   * vtkHashedOctreeFilter: Depth (active scalars), HitCost (from GetStartDepth()), RootCost,
+   * PointCount, MortonKey. Builds the tree if it must.
    */
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 

@@ -47,7 +47,7 @@ public:
   void SetRadius2(double radius2)
   {
     const double radius = std::sqrt(radius2 + Underflow) * this->CellsPerLength;
-    const double reach = radius + 1e-9 + 1e-12 * (radius + this->Farthest);
+    const double reach = radius + Rounding + RelativeRounding * (radius + this->Farthest);
     std::uint32_t difference = 0;
     std::uint32_t width = 0;
     for (int axis = 0; axis < Dim; ++axis)
@@ -70,6 +70,9 @@ public:
   const Cell<Dim>& GetUpper() const { return this->Upper; }
 
 private:
+  // More than rounding does to a place in the root, and to one further away beside its distance.
+  static constexpr double Rounding = 1e-9;
+  static constexpr double RelativeRounding = 1e-12;
   static constexpr double Size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
 
   // The cell at a place, or nearest to it; where the place is no number, the first, or the last.

@@ -17,7 +17,7 @@ enum class FrequencyModel
   Grid
 };
 
-/** Where direct searches start (paper sections 4 and 5): at the weighted median of the leaves'
+/** Where direct searches start (paper section 4): at the weighted median of the leaves'
  * depths, at their weighted mean, at the root, at a given depth, or at the median of the leaves
  * near the position (StartDepths.h). */
 enum class StartDepthModel

@@ -16,6 +16,18 @@ namespace hashedoctree
 template <int Dim>
 using Position = std::array<double, Dim>;
 
+/** Whether all coordinates are numbers, and not infinite. */
+template <std::size_t Dim>
+bool IsFinite(const std::array<double, Dim>& x)
+{
+  bool finite = true;
+  for (const double coordinate : x)
+  {
+    finite &= std::isfinite(coordinate);
+  }
+  return finite;
+}
+
 /** A box in world coordinates, faces included. The default holds nothing. */
 template <int Dim>
 struct Box

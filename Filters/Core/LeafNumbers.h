@@ -16,7 +16,7 @@ class LeafNumbers
 public:
   LeafNumbers() = default;
 
-  /** The tree must outlive the numbers. O(internal nodes). */
+  /** O(internal nodes). */
   explicit LeafNumbers(const Octree<Dim>& tree)
     : First(tree.GetNumberOfInternalNodes())
   {

@@ -68,18 +68,16 @@ private:
     Inside
   };
 
-  Side GetSide(const ChildBoxes<Dim>& boxes, unsigned octant, Key parent) const
+  /** `origin` is the lower corner of the block, `step` a step of its boxes. */
+  Side GetSide(
+    const ChildBoxes<Dim>& boxes, unsigned octant, const Position<Dim>& origin, double step) const
   {
-    const double width = std::ldexp(1.0, Key::MaxDepth - parent.GetDepth());
-    const double step = width / ChildBoxes<Dim>::Steps;
-    const Cell<Dim> cell = parent.GetCell();
     bool isInside = true;
     bool isOutside = false;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const double origin = width * cell[axis];
-      const double lower = origin + step * boxes.Lower[axis][octant] - RoomForRounding;
-      const double upper = origin + step * (boxes.Upper[axis][octant] + 1) + RoomForRounding;
+      const double lower = origin[axis] + step * boxes.Lower[axis][octant] - RoomForRounding;
+      const double upper = origin[axis] + step * (boxes.Upper[axis][octant] + 1) + RoomForRounding;
       isOutside |= upper < this->Lower[axis] || lower > this->Upper[axis];
       isInside &= lower >= this->Lower[axis] && upper <= this->Upper[axis];
     }
@@ -90,13 +88,21 @@ private:
   {
     const auto& block = this->Nodes.GetBlock(number);
     const Key key = this->Nodes.GetBlockKey(number);
+    const double width = std::ldexp(1.0, Key::MaxDepth - key.GetDepth());
+    const Cell<Dim> cell = key.GetCell();
+    Position<Dim> origin;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      origin[axis] = width * cell[axis];
+    }
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
       if ((block.Occupied >> octant & 1U) == 0)
       {
         continue;
       }
-      const Side side = this->GetSide(this->Tree.GetChildBoxes(number), octant, key);
+      const Side side = this->GetSide(
+        this->Tree.GetChildBoxes(number), octant, origin, width / ChildBoxes<Dim>::Steps);
       const std::uint32_t first = block.FirstPoint[octant];
       const std::uint32_t last = block.FirstPoint[octant + 1];
       if (side == Side::Inside)

@@ -5,28 +5,22 @@
 #include "PointCollectors.h"
 #include "PointWalk.h"
 
-#include <cmath>
-
 namespace hashedoctree
 {
 namespace
 {
-template <int Dim>
-bool IsFinite(const Position<Dim>& x)
+/** Whether anything can be near a position. */
+template <int Dim, typename Real>
+bool CanFind(const PointTree<Dim, Real>& tree, const Position<Dim>& x)
 {
-  bool finite = true;
-  for (const double coordinate : x)
-  {
-    finite &= std::isfinite(coordinate);
-  }
-  return finite;
+  return IsFinite(x) && tree.GetNumberOfPoints() != 0;
 }
 
 template <int Dim, typename Real, typename Count>
 bool FindClosestCounted(const PointTree<Dim, Real>& tree, const Position<Dim>& x, double radius2,
   FoundPoint& found, Count& count)
 {
-  if (!IsFinite<Dim>(x) || !(radius2 >= 0.0) || tree.GetNumberOfPoints() == 0)
+  if (!CanFind<Dim, Real>(tree, x) || !(radius2 >= 0.0))
   {
     return false;
   }
@@ -37,6 +31,20 @@ bool FindClosestCounted(const PointTree<Dim, Real>& tree, const Position<Dim>& x
     found = closest.GetBest();
   }
   return closest.HasFound();
+}
+
+/** The points within a radius, by one of the two collectors. */
+template <typename Collector, int Dim, typename Real, typename Found>
+void FindAllWithin(const PointTree<Dim, Real>& tree, const Position<Dim>& x, double radius,
+  std::vector<Found>& found)
+{
+  found.clear();
+  if (CanFind<Dim, Real>(tree, x) && radius >= 0.0)
+  {
+    Collector within(radius * radius, found);
+    NoCount nodes;
+    PointWalk<Dim, Real, Collector, NoCount>(tree, x, within, nodes).Search(1);
+  }
 }
 }
 
@@ -63,7 +71,7 @@ void PointSearch<Dim, Real>::FindClosest(
   const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const
 {
   found.clear();
-  if (!IsFinite<Dim>(x) || count == 0 || this->Tree.GetNumberOfPoints() == 0)
+  if (!CanFind<Dim, Real>(this->Tree, x) || count == 0)
   {
     return;
   }
@@ -86,14 +94,7 @@ template <int Dim, typename Real>
 void PointSearch<Dim, Real>::FindWithin(
   const Position<Dim>& x, double radius, std::vector<FoundPoint>& found) const
 {
-  found.clear();
-  if (!IsFinite<Dim>(x) || !(radius >= 0.0) || this->Tree.GetNumberOfPoints() == 0)
-  {
-    return;
-  }
-  AllMeasured within(radius * radius, found);
-  NoCount nodes;
-  PointWalk<Dim, Real, AllMeasured, NoCount>(this->Tree, x, within, nodes).Search(1);
+  FindAllWithin<AllMeasured, Dim, Real>(this->Tree, x, radius, found);
 }
 
 template <int Dim, typename Real>
@@ -116,14 +117,7 @@ template <int Dim, typename Real>
 void PointSearch<Dim, Real>::FindWithin(
   const Position<Dim>& x, double radius, std::vector<std::uint32_t>& found) const
 {
-  found.clear();
-  if (!IsFinite<Dim>(x) || !(radius >= 0.0) || this->Tree.GetNumberOfPoints() == 0)
-  {
-    return;
-  }
-  AllWithin within(radius * radius, found);
-  NoCount nodes;
-  PointWalk<Dim, Real, AllWithin, NoCount>(this->Tree, x, within, nodes).Search(1);
+  FindAllWithin<AllWithin, Dim, Real>(this->Tree, x, radius, found);
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

@@ -8,7 +8,8 @@ that could not be done (not enough memory, or stopped by AbortBatch()) is a Runt
 """
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 __all__ = ["make_points", "find_closest_points", "find_closest_n_points", "find_points_within_radius"]
 
@@ -16,8 +17,6 @@ __all__ = ["make_points", "find_closest_points", "find_closest_n_points", "find_
 def make_points(positions):
     """A vtkPolyData with these points and no cells, to give to SetDataSet(). It views the array,
     which must not change while the locator is in use."""
-    from vtkmodules.vtkCommonCore import vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkPolyData
     points = vtkPoints()
     points.SetData(_view(positions))
     data = vtkPolyData()
