@@ -25,8 +25,7 @@ public:
   static constexpr double Underflow = 1e-322;
 
   BallInGrid(const Grid<Dim>& grid, const Position<Dim>& center)
-    : CellSize(grid.GetSide(Key::MaxDepth))
-    , CellsPerLength(1.0 / this->CellSize)
+    : CellsPerLength(grid.GetCellsPerLength())
   {
     for (int axis = 0; axis < Dim; ++axis)
     {
@@ -36,8 +35,6 @@ public:
     }
   }
 
-  /** Side of a cell in world units. */
-  double GetCellSize() const { return this->CellSize; }
   /** The center, from the lower corner of the root. */
   const Position<Dim>& GetPlace() const { return this->Place; }
   /** The cell that holds the center, or is nearest to it. */
@@ -90,7 +87,6 @@ private:
   /** How many bits it takes to write x. */
   static int CountBits(std::uint32_t x) { return x == 0 ? 0 : HighestBit(x) + 1; }
 
-  double CellSize;
   double CellsPerLength;
   Position<Dim> Place;
   Cell<Dim> Home;

@@ -59,18 +59,14 @@ template <int Dim>
 HASHEDOCTREE_INLINE void ComputeToBoxes(const OfOctants<Dim>* lower, const OfOctants<Dim>* upper,
   const double* steps, OfOctants<Dim>& dist2)
 {
-  constexpr float farthest = 1e15F; // The sum of its squares is still a float.
-  constexpr float error = 1e-6F;
+  constexpr float slack = 0.01F; // More than rounding adds up to at the farthest place.
   const OfOctants<Dim> zero = {};
   dist2 = zero;
   for (int axis = 0; axis < Dim; ++axis)
   {
-    float t = static_cast<float>(steps[axis]);
-    t = t > -farthest ? t : -farthest;
-    t = t < farthest ? t : farthest;
-    const float slack = 1e-3F + error * std::abs(t);
+    const auto t = static_cast<float>(steps[axis]);
     const OfOctants<Dim> toLower = lower[axis] - (t + slack);
-    const OfOctants<Dim> toUpper = (t - slack - 1.0F) - upper[axis];
+    const OfOctants<Dim> toUpper = (t - (slack + 1.0F)) - upper[axis];
     OfOctants<Dim> distance = toLower > toUpper ? toLower : toUpper;
     distance = distance > zero ? distance : zero;
     dist2 += distance * distance;
@@ -84,6 +80,15 @@ struct Plain
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
     return ComputeToPoints<Dim>(coordinates, stride, count, x, dist2);
+  }
+  static std::uint64_t Select(const double* dist2, std::size_t count, double limit)
+  {
+    std::uint64_t selected = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      selected |= std::uint64_t(dist2[i] <= limit ? 1 : 0) << i;
+    }
+    return selected;
   }
   static unsigned ToBoxes(
     const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2)
@@ -119,6 +124,18 @@ struct Avx2
   {
     return ComputeToPoints<Dim>(coordinates, stride, count, x, dist2);
   }
+  __attribute__((target("avx2"))) static std::uint64_t Select(
+    const double* dist2, std::size_t count, double limit)
+  {
+    const __m256d limits = _mm256_set1_pd(limit);
+    std::uint64_t selected = 0;
+    for (std::size_t i = 0; i < count; i += 4)
+    {
+      const __m256d isWithin = _mm256_cmp_pd(_mm256_loadu_pd(dist2 + i), limits, _CMP_LE_OQ);
+      selected |= static_cast<std::uint64_t>(_mm256_movemask_pd(isWithin)) << i;
+    }
+    return selected & (~std::uint64_t(0) >> (64 - count));
+  }
 };
 
 /** In three dimensions, where the octants fill a vector. */
@@ -149,7 +166,8 @@ DistanceKernels<Dim, Real> ChooseKernels()
 #ifdef HASHEDOCTREE_AVX2
   if (__builtin_cpu_supports("avx2"))
   {
-    DistanceKernels<Dim, Real> kernels{ Avx2<Dim, Real>::ToPoints, Plain<Dim, Real>::ToBoxes };
+    DistanceKernels<Dim, Real> kernels{ Avx2<Dim, Real>::ToPoints, Avx2<Dim, Real>::Select,
+      Plain<Dim, Real>::ToBoxes };
     if constexpr (Dim == 3)
     {
       kernels.ToBoxes = Avx2Boxes::ToBoxes;
@@ -157,7 +175,7 @@ DistanceKernels<Dim, Real> ChooseKernels()
     return kernels;
   }
 #endif
-  return { Plain<Dim, Real>::ToPoints, Plain<Dim, Real>::ToBoxes };
+  return { Plain<Dim, Real>::ToPoints, Plain<Dim, Real>::Select, Plain<Dim, Real>::ToBoxes };
 }
 }
 

@@ -24,7 +24,7 @@ struct ChildBoxes
 };
 
 /**
- * The two inner loops of all searches for points, compiled for the plain machine and for AVX2;
+ * The inner loops of all searches for points, compiled for the plain machine and for AVX2;
  * which one runs is found once at run time, so that a build needs no -march. Both give the same
  * results to the last bit: neither fuses multiplications and additions.
  */
@@ -41,11 +41,17 @@ struct DistanceKernels
   double (*ToPoints)(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2);
 
-  /** Squared distances from a place to the boxes of all children, both in steps of the block,
-   * less than what float may err: never more than the true ones, but for a factor of
-   * (1 + BoxError). Returns the mask of those that are not greater than `limit`, or no numbers. */
+  /** Which of the distances that ToPoints() has written, at least one, are not greater than a
+   * limit: bit i for the one to point i. */
+  std::uint64_t (*Select)(const double* dist2, std::size_t count, double limit);
+
+  /** Squared distances from a place to the boxes of all children, both in steps of the block: never
+   * more than the true ones, but for a factor of (1 + BoxError). The place is at most FarthestPlace
+   * steps from the corner of the block on each axis. Returns the mask of the distances that are not
+   * greater than `limit`, which is all of them where the limit is no number. */
   unsigned (*ToBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2);
 
+  static constexpr double FarthestPlace = 128.0 * ChildBoxes<Dim>::Steps;
   static constexpr double BoxError = 4e-6;
 };
 

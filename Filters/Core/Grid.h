@@ -90,6 +90,8 @@ public:
     {
       this->Side = 1.0;
     }
+    this->CellSize = std::ldexp(this->Side, -Key::MaxDepth);
+    this->CellsPerLength = 1.0 / this->CellSize;
   }
 
   const Position<Dim>& GetLower() const { return this->Lower; }
@@ -97,6 +99,9 @@ public:
   double GetSide() const { return this->Side; }
   /** Side of the cells at a depth, in world units. */
   double GetSide(int depth) const { return std::ldexp(this->Side, -depth); }
+  /** Side of the cells at MaxDepth, in world units, and its inverse. */
+  double GetCellSize() const { return this->CellSize; }
+  double GetCellsPerLength() const { return this->CellsPerLength; }
 
   /** Cell coordinate at MaxDepth: floor((x - lower) / side * 2^MaxDepth), brought into the cube.
    * Positions outside the cube get the cell nearest to them on this axis, NaN gets 0. */
@@ -139,6 +144,8 @@ public:
 private:
   Position<Dim> Lower;
   double Side;
+  double CellSize;
+  double CellsPerLength;
 };
 }
 

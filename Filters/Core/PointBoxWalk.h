@@ -2,6 +2,8 @@
 #ifndef hashedoctree_PointBoxWalk_h
 #define hashedoctree_PointBoxWalk_h
 
+#include "BlockSearch.h"
+#include "DirectSearch.h"
 #include "PointTree.h"
 
 #include <algorithm>
@@ -43,15 +45,9 @@ public:
     }
     const Grid<Dim>& grid = this->Nodes.GetGrid();
     const Key key = grid.GetKey(this->Wanted.Lower.data());
-    int depth = Key::GetCommonDepth(key, grid.GetKey(this->Wanted.Upper.data()));
-    depth = std::min(depth, Key::MaxDepth - 1);
-    const typename Octree<Dim>::Entry* entry = nullptr;
-    while (
-      depth > 0 && (entry = this->Nodes.GetTable().Find(key.AtDepth(depth).GetValue())) == nullptr)
-    {
-      --depth;
-    }
-    this->Descend(depth > 0 ? entry->Block : 0);
+    const int depth = Key::GetCommonDepth(key, grid.GetKey(this->Wanted.Upper.data()));
+    NoCount count;
+    this->Descend(FindBlock(this->Nodes, key, std::min(depth, Key::MaxDepth - 1), count).Block);
   }
 
 private:
@@ -84,8 +80,9 @@ private:
     return isOutside ? Side::Outside : isInside ? Side::Inside : Side::Across;
   }
 
-  void Descend(std::uint32_t number)
+  void Descend(std::uint32_t top)
   {
+    const std::uint32_t number = this->Tree.GetFork(top);
     const auto& block = this->Nodes.GetBlock(number);
     const Key key = this->Nodes.GetBlockKey(number);
     const double width = std::ldexp(1.0, Key::MaxDepth - key.GetDepth());

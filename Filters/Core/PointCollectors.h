@@ -24,8 +24,10 @@ public:
   static constexpr bool HasFixedBall = false;
   static constexpr bool TakesWholeNodes = false;
 
-  explicit ClosestOne(double radius2)
+  /** `select` is DistanceKernels::Select. */
+  ClosestOne(double radius2, std::uint64_t (*select)(const double*, std::size_t, double))
     : Dist2(radius2)
+    , Select(select)
   {
   }
   double GetBound2() const { return this->Dist2; }
@@ -37,11 +39,13 @@ public:
       this->Dist2 = least;
       this->Id = nullptr;
     }
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::uint64_t places = this->Select(dist2, count, least); places != 0;
+         places &= places - 1)
     {
-      if (dist2[i] == least && (this->Id == nullptr || ids[i] < *this->Id))
+      const std::uint32_t* id = ids + __builtin_ctzll(places);
+      if (this->Id == nullptr || *id < *this->Id)
       {
-        this->Id = ids + i;
+        this->Id = id;
       }
     }
   }
@@ -50,6 +54,7 @@ public:
 
 private:
   double Dist2;
+  std::uint64_t (*Select)(const double*, std::size_t, double);
   const std::uint32_t* Id = nullptr;
 };
 

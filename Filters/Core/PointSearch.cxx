@@ -24,8 +24,8 @@ bool FindClosestCounted(const PointTree<Dim, Real>& tree, const Position<Dim>& x
   {
     return false;
   }
-  ClosestOne closest(radius2);
-  PointWalk<Dim, Real, ClosestOne, Count>(tree, x, closest, count).Search(1);
+  ClosestOne closest(radius2, tree.GetKernels().Select);
+  SearchPoints<Dim, Real>(tree, x, closest, count, 1);
   if (closest.HasFound())
   {
     found = closest.GetBest();
@@ -43,7 +43,7 @@ void FindAllWithin(const PointTree<Dim, Real>& tree, const Position<Dim>& x, dou
   {
     Collector within(radius * radius, found);
     NoCount nodes;
-    PointWalk<Dim, Real, Collector, NoCount>(tree, x, within, nodes).Search(1);
+    SearchPoints<Dim, Real>(tree, x, within, nodes, 1);
   }
 }
 }
@@ -79,13 +79,13 @@ void PointSearch<Dim, Real>::FindClosest(
   if (count <= ClosestFew::MostWanted)
   {
     ClosestFew closest(count);
-    PointWalk<Dim, Real, ClosestFew, NoCount>(this->Tree, x, closest, nodes).Search(count);
+    SearchPoints<Dim, Real>(this->Tree, x, closest, nodes, count);
     closest.CopyTo(found);
   }
   else
   {
     ClosestMany closest(count, found);
-    PointWalk<Dim, Real, ClosestMany, NoCount>(this->Tree, x, closest, nodes).Search(count);
+    SearchPoints<Dim, Real>(this->Tree, x, closest, nodes, count);
     closest.PutInOrder();
   }
 }

@@ -63,7 +63,8 @@ template <int Dim, typename Real>
 std::size_t PointTree<Dim, Real>::GetBytes() const
 {
   std::size_t bytes = this->Tree.GetTreeBytes() + this->Tree.GetOrderBytes() +
-    this->OwnIds.GetBytes() + this->Boxes.GetBytes() + this->Coordinates.GetBytes();
+    this->OwnIds.GetBytes() + this->Boxes.GetBytes() + this->Forks.GetBytes() +
+    this->Coordinates.GetBytes();
   for (const Nested& nested : this->NestedTrees)
   {
     bytes += sizeof(Nested) + nested.Points.GetBytes();
@@ -132,8 +133,8 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::MeasureLeaf(
   return box;
 }
 
-/** Fills the boxes of the children of a block, and its own, when those of its internal children
- * are there. */
+/** Fills the boxes of the children of a block, its own, and its fork, when those of its internal
+ * children are there. */
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::MeasureBoxesOf(std::size_t block, Buffer<CellBox>& blockBoxes)
 {
@@ -160,6 +161,8 @@ void PointTree<Dim, Real>::MeasureBoxesOf(std::size_t block, Buffer<CellBox>& bl
     }
   }
   blockBoxes[block] = whole;
+  this->Forks[block] =
+    IsLink(children) ? this->Forks[children.FirstChild] : static_cast<std::uint32_t>(block);
 }
 
 template <int Dim, typename Real>
@@ -167,6 +170,7 @@ void PointTree<Dim, Real>::MeasureBoxes(const Execution& execution)
 {
   const std::size_t numberOfBlocks = this->Tree.GetNumberOfInternalNodes();
   this->Boxes = Buffer<ChildBoxes<Dim>>(numberOfBlocks);
+  this->Forks = Buffer<std::uint32_t>(numberOfBlocks);
   Buffer<CellBox> blockBoxes(numberOfBlocks);
 
   // Children before parents: depth by depth from below, each depth being a run of blocks.

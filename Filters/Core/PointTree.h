@@ -54,6 +54,17 @@ public:
   /** Ids of all points in Morton order, equal keys by id. */
   const std::uint32_t* GetIds() const { return this->Ids; }
   const ChildBoxes<Dim>& GetChildBoxes(std::size_t block) const { return this->Boxes[block]; }
+  /** What measures the distances to coordinates and boxes. */
+  const DistanceKernels<Dim, Real>& GetKernels() const { return *this->Kernels; }
+
+  /** Whether nothing in a block parts its points: it has one child that holds points, and that is
+   * internal. */
+  static bool IsLink(const typename Octree<Dim>::Block& block)
+  {
+    return (block.Occupied & (block.Occupied - 1U)) == 0 && block.Internal != 0;
+  }
+  /** The first block from a block down that is no link. */
+  std::uint32_t GetFork(std::size_t block) const { return this->Forks[block]; }
 
   /** The nested tree of a leaf, given where its range begins, or null. O(log nested trees). */
   const PointTree* FindNested(std::uint32_t firstPoint) const;
@@ -82,7 +93,9 @@ private:
   Buffer<std::uint32_t> OwnIds;       ///< Of a nested tree: ids in the whole input.
   Buffer<Real> Coordinates;
   Buffer<ChildBoxes<Dim>> Boxes;
+  Buffer<std::uint32_t> Forks;
   std::vector<Nested> NestedTrees; ///< By FirstPoint.
+  const DistanceKernels<Dim, Real>* Kernels = &GetDistanceKernels<Dim, Real>();
 };
 
 /** A tree in a leaf. */

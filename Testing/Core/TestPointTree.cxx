@@ -25,6 +25,7 @@ protected:
     }
     for (std::size_t block = 0; block < octree.GetNumberOfInternalNodes(); ++block)
     {
+      ExpectFork(tree, block);
       for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
       {
         const auto child = octree.GetChild(block, octant);
@@ -52,6 +53,33 @@ protected:
           sample.GetSpan()[tree.GetIds()[firstPoint + i]][axis]);
       }
     }
+  }
+
+  /** The fork of a block holds the block's points, and parts them; nothing between the two does. */
+  static void ExpectFork(const Tree& tree, std::size_t block)
+  {
+    const Octree<Dim>& octree = tree.GetOctree();
+    std::size_t fork = block;
+    for (;;)
+    {
+      int occupied = 0;
+      int internal = 0;
+      std::size_t below = 0;
+      for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+      {
+        const auto child = octree.GetChild(fork, octant);
+        occupied += child.IsEmpty() ? 0 : 1;
+        internal += child.Internal ? 1 : 0;
+        below = child.Internal ? Octree<Dim>::GetChildBlock(octree.GetBlock(fork), octant) : below;
+      }
+      ASSERT_EQ(Tree::IsLink(octree.GetBlock(fork)), occupied == 1 && internal == 1);
+      if (occupied != 1 || internal != 1)
+      {
+        break;
+      }
+      fork = below;
+    }
+    ASSERT_EQ(tree.GetFork(block), fork);
   }
 
   /** The box of a child is the smallest one of whole steps that holds the cells of its points. */

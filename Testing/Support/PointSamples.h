@@ -111,6 +111,7 @@ std::vector<PointSample<Dim, Real>> MakePointSamples()
   add("all negative", transformed(uniform, 3.0, -10.0));
   add("far offset", transformed(uniform, 1e-9, 1e6));
   add("large", transformed(uniform, 1e30, -2e29));
+  add("squares too large", transformed(uniform, sizeof(Real) == 8 ? 2e154 : 1e38, 0.0));
   add("small", transformed(uniform, 1e-30, 0.0));
   // Squares of differences are no numbers that a double can hold to the last digit, or at all.
   add("tiny", transformed(uniform, 10.0 * std::numeric_limits<Real>::min(), 0.0));

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_PlaceInBlock_h
+#define hashedoctree_PlaceInBlock_h
+
+#include "DistanceKernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hashedoctree
+{
+/**
+ * Where a position lies as seen from a block, and how far the tight boxes of the block's children
+ * are from it. Lengths are in steps of these boxes, 256 to the side of the block's cell. Distances
+ * err on the near side. Private to PointDescent.h.
+ */
+template <int Dim, typename Real>
+class PlaceInBlock
+{
+public:
+  /** Of a position given in cells of MaxDepth from the root's lower corner, for the block at a
+   * depth that a cell of MaxDepth lies in; `cellsPerLength` is of the grid. */
+  PlaceInBlock(
+    const Position<Dim>& place, const Cell<Dim>& inside, int depth, double cellsPerLength)
+  {
+    const int shift = MortonKey<Dim>::MaxDepth - depth;
+    const double stepsPerCell = NumberOfSteps / static_cast<double>(std::uint64_t(1) << shift);
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const auto lower = static_cast<double>(inside[axis] >> shift << shift);
+      this->Steps[axis] = (place[axis] - lower) * stepsPerCell;
+    }
+    const double stepsPerLength = stepsPerCell * cellsPerLength;
+    this->PerLength2 = stepsPerLength * stepsPerLength;
+  }
+
+  /** As seen from a child of the block. */
+  PlaceInBlock GetInChild(unsigned octant) const
+  {
+    PlaceInBlock child;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const bool upper = (octant >> (Dim - 1 - axis) & 1U) != 0;
+      child.Steps[axis] = 2.0 * this->Steps[axis] - (upper ? NumberOfSteps : 0.0);
+    }
+    child.PerLength2 = 4.0 * this->PerLength2;
+    return child;
+  }
+
+  /** Whether floats will do to measure with: further away the boxes are all one to a float. */
+  bool IsNear() const
+  {
+    double farthest = 0.0;
+    for (const double steps : this->Steps)
+    {
+      farthest = std::max(farthest, std::abs(steps));
+    }
+    return farthest <= Far;
+  }
+  /** The same of a child, by the squared distance to its box from here. */
+  static bool IsNearToChild(float dist2) { return dist2 <= static_cast<float>(Far * Far / 4.0); }
+
+  /** Squared distance in steps to a squared one in world units. Where squares are too small or too
+   * large to be exact, infinite. */
+  double ToSteps2(double dist2) const
+  {
+    return this->IsExact() ? dist2 * this->PerLength2 : std::numeric_limits<double>::infinity();
+  }
+  bool IsExact() const
+  {
+    return this->PerLength2 < MostExact && 1.0 / MostExact < this->PerLength2;
+  }
+
+  /** More than rounding does to a place, or a square. */
+  static constexpr double FarError = 4e-15;
+
+  /** How much further than a reach a measured distance may be, as a factor, if the true one is
+   * within. */
+  template <typename T>
+  static constexpr double Room = 1.0 +
+    3.0 * (sizeof(T) == sizeof(float) ? DistanceKernels<Dim, Real>::BoxError : FarError);
+
+  /** Squared distances to the boxes of all children; returns the mask of those within the squared
+   * reach. In float only from near. */
+  unsigned Measure(const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes,
+    double reach2, float* dist2) const
+  {
+    return kernels.ToBoxes(
+      boxes, this->Steps.data(), static_cast<float>(reach2 * Room<float>), dist2);
+  }
+  unsigned Measure(const DistanceKernels<Dim, Real>&, const ChildBoxes<Dim>& boxes, double reach2,
+    double* dist2) const
+  {
+    const double limit = reach2 * Room<double>;
+    unsigned mask = 0;
+    for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
+    {
+      dist2[octant] = 0.0;
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        const double t = this->Steps[axis];
+        const double slack = 1e-3 + FarError * std::abs(t);
+        const double below = boxes.Lower[axis][octant] - t - slack;
+        const double above = t - slack - (boxes.Upper[axis][octant] + 1.0);
+        const double distance = std::max(0.0, std::max(below, above));
+        dist2[octant] += distance * distance;
+      }
+      mask |= (dist2[octant] > limit ? 0U : 1U) << octant;
+    }
+    return mask;
+  }
+
+  /** Squared distance to the farthest corner of a child's box, rounded up. */
+  double GetFarthest2(const ChildBoxes<Dim>& boxes, unsigned octant) const
+  {
+    double sum = 0.0;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const double t = this->Steps[axis];
+      const double toLower = t - boxes.Lower[axis][octant];
+      const double toUpper = boxes.Upper[axis][octant] + 1.0 - t;
+      const double distance = std::max(toLower, toUpper) + 1e-3 + 1e-9 * std::abs(t);
+      sum += distance * distance;
+    }
+    return sum;
+  }
+
+private:
+  PlaceInBlock() = default;
+
+  static constexpr double NumberOfSteps = ChildBoxes<Dim>::Steps;
+  static constexpr double Far = 64.0 * NumberOfSteps;
+  static_assert(Far + 2.0 * NumberOfSteps <= DistanceKernels<Dim, Real>::FarthestPlace,
+    "the kernels must take the places of children that are near");
+  static constexpr double MostExact = 1e280; ///< Squared lengths of such a ratio are exact.
+
+  Position<Dim> Steps; ///< From the lower corner of the block's cell.
+  double PerLength2;   ///< Squared steps in a squared world unit.
+};
+}
+
+#endif

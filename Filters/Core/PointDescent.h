@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_PointDescent_h
+#define hashedoctree_PointDescent_h
+
+#include "PlaceInBlock.h"
+#include "PointTree.h"
+
+#include <algorithm>
+#include <type_traits>
+
+namespace hashedoctree
+{
+/** Searches a whole tree around a position for a collector; PointWalk.h defines it. */
+template <int Dim, typename Real, typename Collector, typename Count>
+void SearchPoints(const PointTree<Dim, Real>& tree, const Position<Dim>& x, Collector& collector,
+  Count& count, std::size_t wanted);
+
+/**
+ * The way down of a search around a position: from a block through the children that reach into the
+ * collector's ball (PointCollectors.h), nearer ones first, to the points of the leaves. Private to
+ * PointSearch.cxx.
+ *
+ * The boxes of all children of a block are measured at once. Blocks with nothing but one internal
+ * child are passed over.
+ */
+template <int Dim, typename Real, typename Collector, typename Count>
+class PointDescent
+{
+public:
+  using Block = typename Octree<Dim>::Block;
+
+  /** `place` is the position in cells of MaxDepth from the root's lower corner. */
+  PointDescent(const PointTree<Dim, Real>& tree, const Position<Dim>& x, const Position<Dim>& place,
+    Collector& collector, Count& count)
+    : Tree(tree)
+    , X(x)
+    , PlaceInRoot(place)
+    , Points(collector)
+    , Examined(count)
+  {
+  }
+
+  /** Searches a block, given a cell of MaxDepth in it and its depth. */
+  void SearchBlock(std::uint32_t block, const Cell<Dim>& inside, int depth)
+  {
+    const Place place = this->GetPlace(inside, depth);
+    if (place.IsNear())
+    {
+      this->template Descend<float>(block, place);
+    }
+    else
+    {
+      this->template Descend<double>(block, place);
+    }
+  }
+
+  /** Searches a child that is a leaf. */
+  void ScanChild(const Block& block, unsigned octant)
+  {
+    this->ScanLeaf(block.FirstPoint[octant], block.FirstPoint[octant + 1]);
+  }
+
+  /** Searches a leaf, given where its points begin and end. */
+  void ScanLeaf(std::uint32_t first, std::uint32_t last)
+  {
+    const std::size_t size = last - first;
+    if (first == this->ScannedPoint || size == 0)
+    {
+      return;
+    }
+    if (size > this->Tree.GetOctree().GetOptions().MaxPointsPerLeaf)
+    {
+      if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
+      {
+        SearchPoints<Dim, Real>(*nested, this->X, this->Points, this->Examined, 1);
+        return;
+      }
+    }
+    const Real* coordinates = this->Tree.GetLeafCoordinates(first);
+    const std::uint32_t* ids = this->Tree.GetIds() + first;
+    double dist2[DistanceKernels<Dim, Real>::MostPoints];
+    for (std::size_t done = 0; done < size; done += DistanceKernels<Dim, Real>::MostPoints)
+    {
+      const std::size_t count =
+        std::min<std::size_t>(DistanceKernels<Dim, Real>::MostPoints, size - done);
+      const double least =
+        this->Tree.GetKernels().ToPoints(coordinates + done, size, count, this->X.data(), dist2);
+      if (least <= this->Points.GetBound2())
+      {
+        this->Points.Add(dist2, least, ids + done, count);
+      }
+    }
+  }
+
+  /** From now on leaves out the leaf whose points begin there: it has been searched. */
+  void LeaveOutLeaf(std::uint32_t firstPoint) { this->ScannedPoint = firstPoint; }
+  /** From now on leaves out a block: all of it has been searched. */
+  void LeaveOutBlock(std::uint32_t block) { this->SearchedBlock = this->Tree.GetFork(block); }
+
+  /** Whether the ball reaches into the box of any child of the root, which must be internal. */
+  bool ReachesPoints() const
+  {
+    const Place place = this->GetPlace(Cell<Dim>{}, 0);
+    float nearDist2[NumberOfOctants];
+    double farDist2[NumberOfOctants];
+    return (this->Tree.GetOctree().GetBlock(0).Occupied &
+             (place.IsNear() ? this->Measure(0, place, nearDist2)
+                             : this->Measure(0, place, farDist2))) != 0;
+  }
+
+private:
+  using Key = MortonKey<Dim>;
+  using Place = PlaceInBlock<Dim, Real>;
+  static constexpr unsigned NumberOfOctants = Octree<Dim>::NumberOfOctants;
+  static constexpr std::uint32_t Nothing = ~std::uint32_t(0);
+
+  Place GetPlace(const Cell<Dim>& inside, int depth) const
+  {
+    return { this->PlaceInRoot, inside, depth,
+      this->Tree.GetOctree().GetGrid().GetCellsPerLength() };
+  }
+
+  /** The squared reach of the ball in steps, beyond which a child is of no use. */
+  double GetReach2(const Place& place) const { return place.ToSteps2(this->Points.GetBound2()); }
+
+  template <typename T>
+  unsigned Measure(std::uint32_t block, const Place& place, T* dist2) const
+  {
+    return place.Measure(
+      this->Tree.GetKernels(), this->Tree.GetChildBoxes(block), this->GetReach2(place), dist2);
+  }
+
+  /** Searches the children of a block, with distances in float, or from far away in double. */
+  template <typename T>
+  void Descend(std::uint32_t number, const Place& place)
+  {
+    if (number == this->SearchedBlock)
+    {
+      return;
+    }
+    this->Examined.AddNode();
+    const Block& block = this->Tree.GetOctree().GetBlock(number);
+    if (PointTree<Dim, Real>::IsLink(block))
+    {
+      this->SearchFork(number);
+      return;
+    }
+    T dist2[NumberOfOctants];
+    unsigned left = block.Occupied & this->Measure(number, place, dist2);
+    if constexpr (Collector::TakesWholeNodes)
+    {
+      left = this->TakeWholeNodes(number, place, left);
+    }
+    while (left != 0)
+    {
+      const unsigned octant = GetNearest(left, dist2);
+      if (!Collector::HasFixedBall &&
+        static_cast<double>(dist2[octant]) > this->GetReach2(place) * Place::template Room<T>)
+      {
+        return;
+      }
+      left &= ~(1U << octant);
+      if ((block.Internal >> octant & 1U) == 0)
+      {
+        this->ScanChild(block, octant);
+      }
+      else if (std::is_same_v<T, float> && Place::IsNearToChild(static_cast<float>(dist2[octant])))
+      {
+        this->template Descend<float>(
+          Octree<Dim>::GetChildBlock(block, octant), place.GetInChild(octant));
+      }
+      else
+      {
+        this->template Descend<double>(
+          Octree<Dim>::GetChildBlock(block, octant), place.GetInChild(octant));
+      }
+    }
+  }
+
+  /** One of some octants: the nearest, or, where the ball stays as it is, any. */
+  template <typename T>
+  static unsigned GetNearest(unsigned octants, const T* dist2)
+  {
+    auto nearest = static_cast<unsigned>(__builtin_ctz(octants));
+    if (!Collector::HasFixedBall)
+    {
+      T least = dist2[nearest];
+      for (unsigned others = octants & (octants - 1); others != 0; others &= others - 1)
+      {
+        const auto octant = static_cast<unsigned>(__builtin_ctz(others));
+        // (In this form compilers do without a branch, which nobody could foresee.)
+        nearest = dist2[octant] < least ? octant : nearest;
+        least = dist2[octant] < least ? dist2[octant] : least;
+      }
+    }
+    return nearest;
+  }
+
+  /** Searches where the points of a block part. */
+  void SearchFork(std::uint32_t block)
+  {
+    const std::uint32_t fork = this->Tree.GetFork(block);
+    const Key key = this->Tree.GetOctree().GetBlockKey(fork);
+    this->SearchBlock(fork, key.GetFirstAtMaxDepth().GetCell(), key.GetDepth());
+  }
+
+  /** Hands over the points of the children that lie in the ball as a whole; returns the others. */
+  unsigned TakeWholeNodes(std::uint32_t number, const Place& place, unsigned octants)
+  {
+    // Where squares are not exact, points are looked at one by one.
+    const double reach2 = this->GetReach2(place);
+    if (!(place.IsExact() && reach2 > 1.0))
+    {
+      return octants;
+    }
+    const Block& block = this->Tree.GetOctree().GetBlock(number);
+    for (unsigned rest = octants; rest != 0; rest &= rest - 1)
+    {
+      const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
+      if (place.GetFarthest2(this->Tree.GetChildBoxes(number), octant) < reach2)
+      {
+        const std::uint32_t first = block.FirstPoint[octant];
+        this->Points.AddAll(this->Tree.GetIds() + first, block.FirstPoint[octant + 1] - first);
+        octants &= ~(1U << octant);
+      }
+    }
+    return octants;
+  }
+
+  const PointTree<Dim, Real>& Tree;
+  const Position<Dim>& X;
+  const Position<Dim>& PlaceInRoot;
+  Collector& Points;
+  Count& Examined;
+  std::uint32_t ScannedPoint = Nothing;  ///< The leaf that begins there is left out,
+  std::uint32_t SearchedBlock = Nothing; ///< and this block.
+};
+}
+
+#endif
