@@ -83,7 +83,21 @@ class vtkHashedOctreePointLocator::Index
 public:
   std::variant<PointTree<3, float>, PointTree<3, double>> Points;
   LeafNumbers<3> Leaves;
-  vtkPointSet* PointSet = nullptr; ///< The locator's data set, if it is one.
+  vtkPointSet* PointSet = nullptr;     ///< The locator's data set, if it is one with points,
+  vtkPoints* PointsOfSet = nullptr;    ///< its points,
+  vtkDataArray* Coordinates = nullptr; ///< and their coordinates.
+
+  /** Remembers what to ask whether the points have changed. */
+  void Watch(vtkDataSet* dataSet)
+  {
+    auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
+    if (pointSet != nullptr && pointSet->GetPoints() != nullptr)
+    {
+      this->PointSet = pointSet;
+      this->PointsOfSet = pointSet->GetPoints();
+      this->Coordinates = this->PointsOfSet->GetData();
+    }
+  }
 
   /** Calls function(tree). */
   template <typename Function>
@@ -174,18 +188,21 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
 bool vtkHashedOctreePointLocator::IsUpToDate()
 {
   return this->Tree && this->BuildTime > this->GetMTime() &&
-    (this->DataSet == nullptr || this->BuildTime > this->GetPointsMTime());
+    (this->DataSet == nullptr || this->HasSamePoints());
 }
 
-vtkMTimeType vtkHashedOctreePointLocator::GetPointsMTime() const
+bool vtkHashedOctreePointLocator::HasSamePoints() const
 {
-  vtkPointSet* pointSet = this->Tree->PointSet;
-  if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
+  const Index& index = *this->Tree;
+  if (index.PointSet == nullptr)
   {
-    return this->DataSet->GetMTime();
+    return this->BuildTime > this->DataSet->GetMTime();
   }
   // Each query asks, and to ask the cells and all arrays, too, takes as long as finding a point.
-  return std::max(pointSet->vtkObject::GetMTime(), pointSet->GetPoints()->GetMTime());
+  // Who has not changed since the build still has the parts that it had then.
+  return this->BuildTime > index.PointSet->vtkObject::GetMTime() &&
+    this->BuildTime > index.PointsOfSet->vtkObject::GetMTime() &&
+    this->BuildTime > index.Coordinates->GetMTime();
 }
 
 void vtkHashedOctreePointLocator::BuildLocator()
@@ -211,7 +228,7 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
 {
   this->FreeSearchStructure();
   this->Tree = std::make_unique<Index>();
-  this->Tree->PointSet = vtkPointSet::SafeDownCast(this->DataSet);
+  this->Tree->Watch(this->DataSet);
   if (this->DataSet != nullptr && this->DataSet->GetNumberOfPoints() > 0)
   {
     try

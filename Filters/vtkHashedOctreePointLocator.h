@@ -240,7 +240,7 @@ private:
   bool RunBatch(
     vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function);
   bool IsUpToDate();
-  vtkMTimeType GetPointsMTime() const;
+  bool HasSamePoints() const;
   void FillIndex();
   void SetStartDepthProperty(int& property, int value);
   void ChooseStartDepths();
