@@ -16,8 +16,8 @@ namespace hashedoctree
  * without it: so the fewest nodes are not always the least time. Other arguments as there. Thread
  * safe; O(depths).
  */
-template <int Dim, typename Count>
-FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key,
+template <template <int> class Tree, int Dim, typename Count>
+FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key,
   const DepthDecisionTree& decisions, Count& count, EmptyOctants reading = EmptyOctants::Leaves)
 {
   int depth = decisions.GetRootDepth();
@@ -58,8 +58,8 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key,
 }
 
 /** FindLeaf() without counting. */
-template <int Dim>
-FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key,
+template <template <int> class Tree, int Dim>
+FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key,
   const DepthDecisionTree& decisions, EmptyOctants reading = EmptyOctants::Leaves)
 {
   NoCount count;
