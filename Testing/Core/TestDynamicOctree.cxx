@@ -316,7 +316,7 @@ TYPED_TEST(TestDynamicOctree, ErasingOneOfAPairCollapsesTheWholeChain)
 {
   constexpr int dim = TestFixture::Dim;
   constexpr int deepest = MortonKey<dim>::MaxDepth;
-  DynamicOctree<dim> tree(Grid<dim>(ChangingTree<dim>::GetUnitCube()));
+  DynamicOctree<dim> tree{ Grid<dim>(ChangingTree<dim>::GetUnitCube()) };
   tree.Insert(7, Position<dim>{});
   tree.Insert(8, Position<dim>{});
   EXPECT_EQ(tree.GetDeepestDepth(), deepest);
