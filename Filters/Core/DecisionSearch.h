@@ -10,7 +10,8 @@ namespace hashedoctree
 /**
  * Direct search that goes from depth to depth by decisions instead of child by child: the same leaf
  * as by FindLeaf() of DirectSearch.h, whatever the decisions are, and decisions.GetCost(l) nodes
- * examined for a leaf at depth l. Its case tells where the leaf lies from the first depth.
+ * examined for a leaf at depth l. They may come from any histogram that ends at MortonKey::MaxDepth
+ * or before. The case tells where the leaf lies from the first depth.
  *
  * Each look goes through the table, while the search of DirectSearch.h goes down through the blocks
  * without it: so the fewest nodes are not always the least time. Other arguments as there. Thread

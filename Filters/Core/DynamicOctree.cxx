@@ -311,9 +311,8 @@ std::uint32_t DynamicOctree<Dim>::TakeBlock()
   {
     this->FirstFree = this->Blocks[block].Children[0];
   }
+  this->Blocks[block] = Block{};
   this->Blocks[block].Children.fill(NoPoint);
-  this->Blocks[block].Internal = 0;
-  this->Blocks[block].Occupied = 0;
   return block;
 }
 

@@ -17,7 +17,8 @@ protected:
   {
     return { DepthDecisionTree(counts.Leaves), DepthDecisionTree(counts.Points),
       DepthDecisionTree(DepthHistogram(counts.Leaves.size(), 0)), DepthDecisionTree({ 1, 2, 3 }),
-      DepthDecisionTree(DepthHistogram{}), DepthDecisionTree(DepthHistogram(32, 1)) };
+      DepthDecisionTree(DepthHistogram{}),
+      DepthDecisionTree(DepthHistogram(MortonKey<Dim>::MaxDepth + 1, 1)) };
   }
 };
 TYPED_TEST_SUITE(TestDecisionSearch, Dimensions);

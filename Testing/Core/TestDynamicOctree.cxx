@@ -4,6 +4,7 @@
 #include "DecisionSearch.h"
 #include "Dimensions.h"
 #include "SampleTree.h"
+#include "ScarceMemory.h"
 
 #include <algorithm>
 #include <map>
@@ -330,6 +331,63 @@ TYPED_TEST(TestDynamicOctree, ErasingOneOfAPairCollapsesTheWholeChain)
     tree.Insert(again % 2 == 0 ? 7 : 8, Position<dim>{});
   }
   EXPECT_EQ(tree.GetTreeBytes(), bytes) << "blocks are used again";
+}
+
+TYPED_TEST(TestDynamicOctree, MovesMakeRoomForMoreNodes)
+{
+  constexpr int dim = TestFixture::Dim;
+  ChangingTree<dim> changing({});
+  for (std::uint32_t id = 0; id < 100; ++id)
+  {
+    changing.Points[id].fill(id / 100.0);
+    changing.Tree.Insert(id, changing.Points[id]);
+  }
+  for (std::uint32_t id = 0; id < 100; id += 2)
+  {
+    changing.Points[id] = changing.Points[id + 1];
+    changing.Tree.Move(id, changing.Points[id]);
+    ASSERT_LE(changing.Tree.GetTable().GetLoadFactor(), 0.5);
+  }
+  changing.ExpectAsRebuilt();
+}
+
+TYPED_TEST(TestDynamicOctree, ChangesDoNotBeginWhereMemoryIsOut)
+{
+  constexpr int dim = TestFixture::Dim;
+  ChangingTree<dim> changing({});
+  Position<dim> corner{};
+  Position<dim> middle;
+  middle.fill(0.5);
+  changing.Points[0] = corner;
+  changing.Tree.Insert(0, corner);
+  /** Tries with more memory each time; a change that was refused must have left no trace. */
+  const auto tryUntilDone = [&changing](const auto& change)
+  {
+    for (std::size_t allocations = 0;; ++allocations)
+    {
+      AllocationsLeft = allocations;
+      try
+      {
+        change();
+        AllocationsLeft = ~std::size_t(0);
+        return allocations;
+      }
+      catch (const std::bad_alloc&)
+      {
+        AllocationsLeft = ~std::size_t(0);
+        changing.ExpectAsRebuilt();
+      }
+    }
+  };
+  EXPECT_GT(tryUntilDone([&] { changing.Tree.Insert(1, corner); }), 1U);
+  changing.Points[1] = corner;
+  changing.ExpectAsRebuilt();
+  EXPECT_GT(tryUntilDone([&] { changing.Tree.Move(1, middle); }), 0U);
+  changing.Points[1] = middle;
+  changing.ExpectAsRebuilt();
+  EXPECT_GT(tryUntilDone([&] { changing.Tree.Erase(0); }), 0U);
+  changing.Points.erase(0);
+  changing.ExpectAsRebuilt();
 }
 
 TEST(TestDynamicOctreeFacts, ManyPointsAtOnePlaceCostNoMore)
