@@ -12,7 +12,7 @@ namespace hashedoctree
  * A hashed octree whose points come, go and move one by one (paper section 4 and #40). After any
  * sequence of changes it has the nodes, the counts per depth and so the start depths of an Octree
  * that is built over the same points in the same root with the same options. Use Octree for points
- * that stay: it is built faster and takes less memory.
+ * that stay: it has them in Morton order, and threads build it.
  *
  * The caller gives each point an id; memory is proportional to the largest one. Positions are not
  * kept, only their cells. Those outside the root count as the nearest inside, as in Grid.
