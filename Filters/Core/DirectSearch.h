@@ -55,9 +55,13 @@ struct NodeCount
  * `key` is the position's key at MaxDepth (Grid::GetKey()); `startDepth` may be any depth in
  * [0, MortonKey::MaxDepth] and changes the cost, never the leaf. In the sparse reading an empty
  * octant is seen in its parent, at the same cost. Thread safe; O(1 + |l - startDepth|).
+ *
+ * `Tree` is Octree, or another tree that has these members of it: GetTable(), GetBlock(),
+ * GetRootBlock(), GetChildBlock(), IsRootInternal(), GetNumberOfPoints(); and whose table and
+ * blocks tell which children are internal and which hold points.
  */
-template <int Dim, typename Count>
-FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
+template <template <int> class Tree, int Dim, typename Count>
+FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
   const auto found = [reading](MortonKey<Dim> leaf, std::uint32_t block, SearchCase searchCase,
@@ -68,7 +72,7 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
   // Up (case 3): no node at `depth` as long as its parent has no block.
   int depth = startDepth;
   unsigned octant = 0;
-  const typename Octree<Dim>::Entry* parent = nullptr;
+  const typename Tree<Dim>::Entry* parent = nullptr;
   for (; depth > 0; --depth)
   {
     count.AddNode();
@@ -80,7 +84,7 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
     }
   }
 
-  std::uint32_t block = 0;
+  std::uint32_t block = tree.GetRootBlock();
   if (parent == nullptr)
   {
     count.AddNode();
@@ -98,7 +102,7 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
         depth == startDepth ? SearchCase::Hit : SearchCase::Up,
         (parent->Occupied >> octant & 1U) != 0);
     }
-    block = Octree<Dim>::GetChildBlock(tree.GetBlock(parent->Block), octant);
+    block = Tree<Dim>::GetChildBlock(tree.GetBlock(parent->Block), octant);
   }
 
   // Down (case 2): `block` is that of the node at `depth`.
@@ -106,20 +110,20 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
   {
     ++depth;
     count.AddNode();
-    const typename Octree<Dim>::Block& here = tree.GetBlock(block);
+    const typename Tree<Dim>::Block& here = tree.GetBlock(block);
     octant = key.AtDepth(depth).GetOctant();
     if ((here.Internal >> octant & 1U) == 0)
     {
       return found(
         key.AtDepth(depth), block, SearchCase::Down, (here.Occupied >> octant & 1U) != 0);
     }
-    block = Octree<Dim>::GetChildBlock(here, octant);
+    block = Tree<Dim>::GetChildBlock(here, octant);
   }
 }
 
 /** FindLeaf() without counting. */
-template <int Dim>
-FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDepth,
+template <template <int> class Tree, int Dim>
+FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
   NoCount count;
@@ -127,8 +131,8 @@ FoundLeaf<Dim> FindLeaf(const Octree<Dim>& tree, MortonKey<Dim> key, int startDe
 }
 
 /** How many nodes a search for the position examines. */
-template <int Dim>
-std::uint64_t CountExaminedNodes(const Octree<Dim>& tree, MortonKey<Dim> key, int startDepth)
+template <template <int> class Tree, int Dim>
+std::uint64_t CountExaminedNodes(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth)
 {
   NodeCount count;
   FindLeaf(tree, key, startDepth, count);

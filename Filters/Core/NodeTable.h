@@ -3,80 +3,28 @@
 #define hashedoctree_NodeTable_h
 
 #include "Buffer.h"
+#include "NodeHash.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace hashedoctree
 {
-/** Slots that a table looks at together; with values of 8 bytes they fill one cache line. */
-constexpr std::size_t SlotsOfBucket = 4;
-
-/**
- * The hash function of the paper (section 2): the low bits of the key, k mod 2^b. Neighbouring
- * keys go to neighbouring slots, but the deep nodes in the root's lower corner all have the same
- * low bits and queue up (reading of the paper E20). Kept because the paper's claim about it is one
- * of the things shown; use MixingHash.
- */
-class LowBitsHash
-{
-public:
-  /** Slots for so many keys: a power of two, at least twice as many. */
-  explicit LowBitsHash(std::size_t numberOfKeys)
-  {
-    std::size_t slots = SlotsOfBucket;
-    while (slots < 2 * numberOfKeys)
-    {
-      slots *= 2;
-    }
-    this->Mask = slots - 1;
-  }
-  std::size_t GetNumberOfSlots() const { return this->Mask + 1; }
-  std::size_t GetSlot(std::uint64_t key) const
-  {
-    return static_cast<std::size_t>(key) & this->Mask;
-  }
-
-private:
-  std::size_t Mask;
-};
-
-/**
- * A multiplicative hash: the key times an odd constant (2^64 over the golden ratio), of which the
- * upper half is scaled to the number of slots, so that a table need not be a power of two and its
- * load is always 1/2.
- */
-class MixingHash
-{
-public:
-  /** Slots for so many keys: twice as many, in whole buckets. */
-  explicit MixingHash(std::size_t numberOfKeys)
-    : NumberOfSlots((2 * numberOfKeys / SlotsOfBucket + 1) * SlotsOfBucket)
-  {
-  }
-  std::size_t GetNumberOfSlots() const { return static_cast<std::size_t>(this->NumberOfSlots); }
-  std::size_t GetSlot(std::uint64_t key) const
-  {
-    const std::uint64_t mixed = (key * 0x9e3779b97f4a7c15U) >> 32;
-    return static_cast<std::size_t>(mixed * this->NumberOfSlots >> 32);
-  }
-
-private:
-  std::uint64_t NumberOfSlots;
-};
-
 /**
  * Key of a node to a small value; nothing but hashing. Open addressing, at most half full, sized
- * once for the keys to come (paper E17: a fixed size wastes memory on small trees). Keys are kept
- * as they are, so the answer is exact whatever the hash.
+ * for the keys to come (paper E17: a fixed size wastes memory on small trees). Keys are kept as
+ * they are, so the answer is exact whatever the hash.
  *
  * Slots are probed linearly, a bucket at a time. A bucket is one cache line, its keys are compared
  * together, and it ends the probing unless it is full: so a key that is not there, which is what a
  * search that starts too deep meets most often, costs one cache line and no guessing of branches.
+ * Erase() leaves no marks behind: the buckets between a key's home and its own stay full.
  *
- * Const members may be called from many threads at once. Mean cost of Find() is O(1).
+ * Const members may be called from many threads at once. Find(), Insert() and Erase() are O(1) on
+ * average.
  */
 template <typename Value, typename Hash = MixingHash>
 class NodeTable
@@ -92,6 +40,20 @@ public:
     : Slots(Hash(numberOfKeys))
     , Buckets(this->Slots.GetNumberOfSlots() / SlotsOfBucket, Memory::Zeroed)
   {
+  }
+
+  /** Makes room for this many keys in all. Where there is too little, the table is filled anew at
+   * twice its size or more: O(1) for each key ever inserted. References to values end. Where memory
+   * is out it throws std::bad_alloc, and nothing has changed. */
+  void Reserve(std::size_t numberOfKeys)
+  {
+    if (2 * numberOfKeys > this->GetNumberOfSlots())
+    {
+      NodeTable larger(std::max(numberOfKeys, this->GetNumberOfSlots()));
+      this->ForEach(
+        [&larger](std::uint64_t key, const Value& value) { larger.Insert(key, value); });
+      *this = std::move(larger);
+    }
   }
 
   /** Adds a key, not 0 and not in the table yet. Adding more than there is room for is not
@@ -113,6 +75,31 @@ public:
     bucket.Values[slot] = value;
     ++this->NumberOfKeys;
     return bucket.Values[slot];
+  }
+
+  /** Takes out a key, not 0; whether it was there. References to values end. */
+  bool Erase(std::uint64_t key)
+  {
+    for (std::size_t home = this->GetHome(key);; home = this->GetNext(home))
+    {
+      Bucket& bucket = this->Buckets[home];
+      const auto* slot = std::find(bucket.Keys, bucket.Keys + SlotsOfBucket, key);
+      const bool wasFull = bucket.IsFull();
+      if (slot != bucket.Keys + SlotsOfBucket)
+      {
+        bucket.Remove(static_cast<std::size_t>(slot - bucket.Keys));
+        --this->NumberOfKeys;
+        if (wasFull)
+        {
+          this->FillHole(home);
+        }
+        return true;
+      }
+      if (!wasFull)
+      {
+        return false;
+      }
+    }
   }
 
   /** Asks the machine to load the slot where a key would be, for a later Insert() or Find(). */
@@ -141,6 +128,12 @@ public:
         return nullptr;
       }
     }
+  }
+
+  /** To change the value. */
+  Value* Find(std::uint64_t key)
+  {
+    return const_cast<Value*>(static_cast<const NodeTable*>(this)->Find(key));
   }
 
   /** Calls function(key, value) for every key, in no order of meaning. O(slots). */
@@ -175,8 +168,7 @@ public:
       {
         if (key != 0)
         {
-          const std::size_t size = this->Buckets.GetSize();
-          const std::size_t distance = (bucket + size - this->GetHome(key)) % size;
+          const std::size_t distance = this->GetDistance(this->GetHome(key), bucket);
           lengths.resize(std::max(lengths.size(), distance + 1), 0);
           ++lengths[distance];
         }
@@ -193,6 +185,18 @@ private:
     Value Values[SlotsOfBucket];
 
     bool IsFull() const { return this->Keys[SlotsOfBucket - 1] != 0; }
+    /** The last key takes the place of the one that goes. */
+    void Remove(std::size_t slot)
+    {
+      std::size_t last = SlotsOfBucket - 1;
+      while (this->Keys[last] == 0)
+      {
+        --last;
+      }
+      this->Keys[slot] = this->Keys[last];
+      this->Values[slot] = this->Values[last];
+      this->Keys[last] = 0;
+    }
   };
   static_assert(sizeof(Value) == 8, "a bucket must fill one cache line");
 
@@ -200,6 +204,36 @@ private:
   std::size_t GetNext(std::size_t bucket) const
   {
     return bucket + 1 == this->Buckets.GetSize() ? 0 : bucket + 1;
+  }
+  /** Steps of GetNext() from one bucket to another. */
+  std::size_t GetDistance(std::size_t from, std::size_t to) const
+  {
+    return to >= from ? to - from : to + this->Buckets.GetSize() - from;
+  }
+
+  /** Fills the free slot of a bucket that was full until now. A key further on belongs there when
+   * its home is not beyond the hole; the first such leaves the next hole, until a bucket that was
+   * not full ends the probing. */
+  void FillHole(std::size_t hole)
+  {
+    bool wasFull = true;
+    for (std::size_t from = this->GetNext(hole); wasFull; from = this->GetNext(from))
+    {
+      Bucket& bucket = this->Buckets[from];
+      wasFull = bucket.IsFull();
+      for (std::size_t slot = 0; slot < SlotsOfBucket && bucket.Keys[slot] != 0; ++slot)
+      {
+        if (this->GetDistance(this->GetHome(bucket.Keys[slot]), from) >=
+          this->GetDistance(hole, from))
+        {
+          this->Buckets[hole].Keys[SlotsOfBucket - 1] = bucket.Keys[slot];
+          this->Buckets[hole].Values[SlotsOfBucket - 1] = bucket.Values[slot];
+          bucket.Remove(slot);
+          hole = from;
+          break;
+        }
+      }
+    }
   }
 
   Hash Slots;

@@ -136,6 +136,8 @@ public:
   const NodeTable<Entry>& GetTable() const { return this->Table; }
 
   bool IsRootInternal() const { return this->Blocks.GetSize() != 0; }
+  /** The root's block, where the root is internal. */
+  static constexpr std::uint32_t GetRootBlock() { return 0; }
   Node GetRoot() const;
   /** A child of an internal node, which is always given in the complete reading. O(1). */
   Node GetChild(std::size_t block, unsigned octant) const;

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <unordered_map>
+#include <utility>
 
 using namespace hashedoctree;
 
@@ -107,26 +109,88 @@ TYPED_TEST(TestNodeTable, ProbeLengthsCountEveryKey)
   EXPECT_EQ(std::accumulate(lengths.begin(), lengths.end(), std::size_t(0)), 1000U);
 }
 
-TEST(TestHashes, LowBitsAreTheKeysOwn)
+/** Random insertions and erasures, checked against the standard table after each. */
+template <typename Hash, typename MakeKey>
+void ExpectAsStandardTable(std::size_t capacity, const MakeKey& makeKey)
 {
-  const LowBitsHash hash(3);
-  EXPECT_EQ(hash.GetNumberOfSlots(), 8U);
-  EXPECT_EQ(hash.GetSlot(0b1101), 0b101U);
-}
-
-TEST(TestHashes, MixingStaysWithinTheTable)
-{
-  for (const std::size_t count : { 0U, 1U, 5U, 1000U })
+  std::mt19937_64 random(42);
+  NodeTable<std::uint64_t, Hash> table(capacity);
+  std::unordered_map<std::uint64_t, std::uint64_t> expected;
+  for (std::uint64_t trial = 0; trial < 4000; ++trial)
   {
-    const MixingHash hash(count);
-    for (int bit = 0; bit < 64; ++bit)
+    const std::uint64_t key = makeKey(random);
+    if (expected.count(key) == 0 && expected.size() < capacity)
     {
-      EXPECT_LT(hash.GetSlot(~std::uint64_t(0) >> bit), hash.GetNumberOfSlots());
+      table.Insert(key, trial);
+      expected[key] = trial;
     }
+    else
+    {
+      ASSERT_EQ(table.Erase(key), expected.erase(key) == 1);
+      ASSERT_EQ(table.Find(key), nullptr);
+      ASSERT_FALSE(table.Erase(key));
+    }
+    ASSERT_EQ(table.GetNumberOfKeys(), expected.size());
+    for (const auto& [present, value] : expected)
+    {
+      const std::uint64_t* found = std::as_const(table).Find(present);
+      ASSERT_TRUE(found != nullptr && *found == value) << present;
+    }
+    std::size_t listed = 0;
+    table.ForEach([&listed](std::uint64_t, std::uint64_t) { ++listed; });
+    ASSERT_EQ(listed, expected.size());
   }
 }
 
-TEST(TestHashes, OnlyLowBitsSendCornerChainsToOneSlot)
+TYPED_TEST(TestNodeTable, ErasesAsTheStandardTableDoes)
+{
+  for (const std::size_t capacity : { 1U, 2U, 4U, 16U, 61U })
+  {
+    SCOPED_TRACE(capacity);
+    ExpectAsStandardTable<TypeParam>(
+      capacity, [capacity](auto& random) { return 1 + random() % (2 * capacity); });
+    // All in one bucket's queue, or in that of the last bucket, which goes on in the first.
+    ExpectAsStandardTable<TypeParam>(
+      capacity, [capacity](auto& random) { return (1 + random() % (2 * capacity)) << 30; });
+    ExpectAsStandardTable<TypeParam>(
+      capacity, [capacity](auto& random) { return ((1 + random() % (2 * capacity)) << 30) - 1; });
+    // In the queues of a few buckets that reach into each other.
+    ExpectAsStandardTable<TypeParam>(capacity,
+      [capacity](auto& random)
+      { return ((1 + random() % capacity) << 30) - 12 + 4 * (random() % 6); });
+  }
+}
+
+TYPED_TEST(TestNodeTable, GrowsWithItsKeys)
+{
+  NodeTable<std::uint64_t, TypeParam> table;
+  for (std::uint64_t key = 1; key <= 3000; ++key)
+  {
+    const std::size_t slots = table.GetNumberOfSlots();
+    const bool isRoom = 2 * key <= slots;
+    table.Reserve(key);
+    table.Insert(key, 7 * key);
+    ASSERT_LE(table.GetLoadFactor(), 0.5);
+    ASSERT_TRUE(isRoom ? table.GetNumberOfSlots() == slots : table.GetNumberOfSlots() >= 2 * slots);
+  }
+  EXPECT_EQ(table.GetNumberOfKeys(), 3000U);
+  for (std::uint64_t key = 1; key <= 3000; ++key)
+  {
+    ASSERT_NE(table.Find(key), nullptr);
+    ASSERT_EQ(*table.Find(key), 7 * key);
+  }
+  EXPECT_EQ(table.Find(3001), nullptr);
+}
+
+TYPED_TEST(TestNodeTable, ValuesCanBeChanged)
+{
+  NodeTable<std::uint64_t, TypeParam> table(1);
+  table.Insert(5, 1);
+  *table.Find(5) = 2;
+  EXPECT_EQ(*std::as_const(table).Find(5), 2U);
+}
+
+TEST(TestNodeTableFacts, OnlyLowBitsSendCornerChainsToOneSlot)
 {
   // Paper E20.
   const std::vector<std::uint64_t> keys = MakeCornerKeys(1000);
@@ -134,7 +198,7 @@ TEST(TestHashes, OnlyLowBitsSendCornerChainsToOneSlot)
   EXPECT_LT(GetMeanProbeLength(MakeTable<MixingHash>(keys)), 1.2);
 }
 
-TEST(TestHashes, MixingIsShortOnAFullTree)
+TEST(TestNodeTableFacts, MixingIsShortOnAFullTree)
 {
   // All nodes of depth 5: what a uniform scan gives.
   NodeTable<std::uint64_t> table(32768);

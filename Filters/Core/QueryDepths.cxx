@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "QueryDepths.h"
+
+#include "DirectSearch.h"
+
+#include <algorithm>
+
+namespace hashedoctree
+{
+template <int Dim, typename Real>
+DepthHistogram MeasureQueryDepths(
+  const Octree<Dim>& tree, PointSpan<Dim, Real> queries, const Execution& execution)
+{
+  constexpr std::size_t chunkSize = 4096; // Positions that a thread does at a time.
+  using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
+  const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
+  std::vector<PerDepth> chunks((queries.Count + chunkSize - 1) / chunkSize);
+  execution.For(chunks.size(), 1,
+    [&](std::size_t firstChunk, std::size_t lastChunk)
+    {
+      for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+      {
+        PerDepth counts{};
+        const std::size_t last = std::min(queries.Count, (chunk + 1) * chunkSize);
+        for (std::size_t i = chunk * chunkSize; i < last; ++i)
+        {
+          Position<Dim> x;
+          std::copy(queries[i], queries[i] + Dim, x.begin());
+          if (IsFinite(x))
+          {
+            const auto leaf = FindLeaf(tree, tree.GetGrid().GetKey(x.data()), startDepth);
+            ++counts[static_cast<std::size_t>(leaf.Key.GetDepth())];
+          }
+        }
+        chunks[chunk] = counts;
+      }
+    });
+
+  DepthHistogram histogram(tree.GetDepthCounts().Leaves.size(), 0);
+  for (const PerDepth& counts : chunks)
+  {
+    for (std::size_t depth = 0; depth < histogram.size(); ++depth)
+    {
+      histogram[depth] += counts[depth];
+    }
+  }
+  return histogram;
+}
+
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template DepthHistogram MeasureQueryDepths(                                                      \
+    const Octree<Dim>&, PointSpan<Dim, float>, const Execution&);                                  \
+  template DepthHistogram MeasureQueryDepths(                                                      \
+    const Octree<Dim>&, PointSpan<Dim, double>, const Execution&);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
+#undef HASHEDOCTREE_INSTANTIATE
+}

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_QueryDepths_h
+#define hashedoctree_QueryDepths_h
+
+#include "Octree.h"
+
+namespace hashedoctree
+{
+/**
+ * The histogram of what is really searched for: how many of the given positions lie in leaves of
+ * each depth. It is the p_l * f_l of the paper (section 4, paper #31 to #34) with f measured from a
+ * second set of points instead of being modelled, from depth 0 to the tree's deepest.
+ *
+ * Positions outside the root count for the leaf nearest to them, as in Grid; those that are not
+ * finite are left out. O(1 + |l - median|) for each position whose leaf is at depth l. The same
+ * whatever the threads. Instantiated for float and double. Throws Interrupted.
+ */
+template <int Dim, typename Real>
+DepthHistogram MeasureQueryDepths(
+  const Octree<Dim>& tree, PointSpan<Dim, Real> queries, const Execution& execution);
+}
+
+#endif

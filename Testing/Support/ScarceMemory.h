@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Support_ScarceMemory_h
+#define Testing_Support_ScarceMemory_h
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+/** How many more times `new` of this program has memory; none is left at 0. To be included by one
+ * file of a program, on one thread. */
+inline std::size_t AllocationsLeft = ~std::size_t(0);
+
+// Replacing these is what the standard provides for; all other forms end here. Not inline, or GCC
+// takes new and free() for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
+  if (AllocationsLeft == 0)
+  {
+    throw std::bad_alloc();
+  }
+  --AllocationsLeft;
+  if (void* memory = std::malloc(size > 0 ? size : 1))
+  {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
+#endif
