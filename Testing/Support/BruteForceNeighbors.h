@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Support_BruteForceNeighbors_h
+#define Testing_Support_BruteForceNeighbors_h
+
+#include "SampleTree.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+/** The closed cell of a node in cells of MaxDepth, read from its key bit by bit. */
+template <int Dim>
+struct NodeBox
+{
+  std::array<std::int64_t, Dim> Lower{};
+  std::array<std::int64_t, Dim> Upper{};
+  int Depth = 0;
+
+  explicit NodeBox(hashedoctree::MortonKey<Dim> key)
+  {
+    int axis = Dim;
+    for (std::uint64_t rest = key.GetValue(); rest != 1; rest >>= 1)
+    {
+      --axis;
+      this->Lower[axis] += static_cast<std::int64_t>(rest & 1U) << this->Depth;
+      if (axis == 0)
+      {
+        axis = Dim;
+        ++this->Depth;
+      }
+    }
+    const int shift = hashedoctree::MortonKey<Dim>::MaxDepth - this->Depth;
+    for (axis = 0; axis < Dim; ++axis)
+    {
+      this->Upper[axis] = (this->Lower[axis] + 1) << shift;
+      this->Lower[axis] <<= shift;
+    }
+  }
+
+  /** Whether the closed boxes have a point in common. */
+  bool Touches(const NodeBox& other) const
+  {
+    bool touches = true;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      touches =
+        touches && this->Lower[axis] <= other.Upper[axis] && other.Lower[axis] <= this->Upper[axis];
+    }
+    return touches;
+  }
+
+  bool Contains(const NodeBox& other) const
+  {
+    bool contains = true;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      contains = contains && this->Lower[axis] <= other.Lower[axis] &&
+        other.Upper[axis] <= this->Upper[axis];
+    }
+    return contains;
+  }
+};
+
+/** The oracle for neighbour searches: looks at every node, with integers. */
+template <int Dim>
+class BruteForceNeighbors
+{
+public:
+  using Key = hashedoctree::MortonKey<Dim>;
+  using Keys = std::vector<std::uint64_t>; ///< Sorted.
+
+  explicit BruteForceNeighbors(const hashedoctree::Octree<Dim>& tree)
+  {
+    ForEachNode(tree, [this](const auto& node) { this->Nodes.push_back(Listed(node)); });
+  }
+
+  /** The leaves that touch a node and do not lie in it. */
+  Keys FindAdjacent(Key node, hashedoctree::EmptyOctants reading) const
+  {
+    const NodeBox<Dim> box(node);
+    return this->FindLeaves(reading,
+      [&box](const NodeBox<Dim>& leaf) { return leaf.Touches(box) && !box.Contains(leaf); });
+  }
+
+  /** How many nodes, leaves or not, touch a node from outside and are not larger. */
+  std::uint64_t CountAdjacentNodes(Key node) const
+  {
+    const NodeBox<Dim> box(node);
+    return static_cast<std::uint64_t>(std::count_if(this->Nodes.begin(), this->Nodes.end(),
+      [&box](const Listed& other) {
+        return other.Box.Depth >= box.Depth && other.Box.Touches(box) && !box.Contains(other.Box);
+      }));
+  }
+
+private:
+  struct Listed
+  {
+    std::uint64_t Key;
+    NodeBox<Dim> Box;
+    bool Internal;
+    bool IsEmpty;
+
+    explicit Listed(const typename hashedoctree::Octree<Dim>::Node& node)
+      : Key(node.NodeKey.GetValue())
+      , Box(node.NodeKey)
+      , Internal(node.Internal)
+      , IsEmpty(node.IsEmpty())
+    {
+    }
+  };
+
+  template <typename Predicate>
+  Keys FindLeaves(hashedoctree::EmptyOctants reading, const Predicate& isFound) const
+  {
+    Keys found;
+    for (const Listed& node : this->Nodes)
+    {
+      const bool isLeaf =
+        !node.Internal && (reading == hashedoctree::EmptyOctants::Leaves || !node.IsEmpty);
+      if (isLeaf && isFound(node.Box))
+      {
+        found.push_back(node.Key);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  std::vector<Listed> Nodes;
+};
+
+#endif
