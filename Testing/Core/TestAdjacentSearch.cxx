@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdjacentSearch.h"
 
+#include "AdjacentSearchAtStartDepth.h"
 #include "BruteForceNeighbors.h"
 #include "Dimensions.h"
 #include "NeighborCases.h"
@@ -197,6 +198,55 @@ TEST(TestAdjacentSearchFacts, CasesAndOrder)
   expect(0b10011, EmptyOctants::Leaves,
     { { 0b10000, leaf }, { 0b10001, leaf }, { 0b10010, leaf }, { 0b101, above }, { 0b110, above },
       { 0b111, above } });
+}
+
+TYPED_TEST(TestAdjacentSearch, TheRejectedOptionFindsTheSame)
+{
+  // Paper #22. Not from far below the node, where it looks at too many cells.
+  constexpr int dim = TestFixture::Dim;
+  constexpr int deepestStart = 8 / dim;
+  for (const auto& sample : MakePointSamples<dim, double>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, double> made(sample, { 3, MortonKey<dim>::MaxDepth });
+    const int median = GetMedianDepth(made.Tree.GetDepthCounts().Leaves);
+    for (const MortonKey<dim> node : PickNodes(made.Tree, 50))
+    {
+      for (const EmptyOctants reading : Readings)
+      {
+        std::vector<Neighbor<dim>> found;
+        FindAdjacentLeaves(made.Tree, node, median, found, reading);
+        NoCount count;
+        AdjacentSearchAtStartDepth<dim, NoCount> rejected(made.Tree, count, reading);
+        std::vector<Neighbor<dim>> same;
+        const int last = std::min(MortonKey<dim>::MaxDepth, node.GetDepth() + deepestStart);
+        for (int startDepth = 0; startDepth <= last; ++startDepth)
+        {
+          rejected.Find(node, startDepth, same);
+          ASSERT_EQ(GetSortedKeys(same), GetSortedKeys(found)) << startDepth;
+          ExpectWellDescribed(made.Tree, node, same);
+        }
+      }
+    }
+  }
+}
+
+TEST(TestAdjacentSearchFacts, TheRejectedOptionExaminesMoreNodes)
+{
+  const SampleTree<3, double> made(
+    PointSample<3, double>{ "sphere", MakeSpherePoints<3, double>(2000, 551) });
+  const int median = GetMedianDepth(made.Tree.GetDepthCounts().Leaves);
+  NodeCount count;
+  NodeCount rejectedCount;
+  AdjacentSearchAtStartDepth<3, NodeCount> rejected(made.Tree, rejectedCount);
+  std::vector<Neighbor<3>> found;
+  ForEachLeaf(made.Tree,
+    [&](const auto& leaf)
+    {
+      FindAdjacentLeaves(made.Tree, leaf.NodeKey, median, found, count);
+      rejected.Find(leaf.NodeKey, median, found);
+    });
+  EXPECT_LT(count.Nodes, rejectedCount.Nodes);
 }
 
 TEST(TestAdjacentSearchFacts, ClimbingExaminesNoMoreNodesThanTheMedian)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NeighborDirection.h"
 
-#include "BruteForceNeighbors.h"
 #include "Dimensions.h"
+#include "NodeBox.h"
 
 #include <map>
 
