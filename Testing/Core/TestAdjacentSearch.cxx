@@ -163,6 +163,63 @@ TYPED_TEST(TestAdjacentSearch, TreesOfOneLeafHaveNoNeighbours)
   }
 }
 
+TYPED_TEST(TestAdjacentSearch, TheRejectedOptionFindsTheSame)
+{
+  // Paper #22. Not from far below the node, where it looks at too many cells.
+  constexpr int dim = TestFixture::Dim;
+  constexpr int deepestStart = 8 / dim;
+  for (const auto& sample : MakePointSamples<dim, double>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, double> made(sample, { 3, MortonKey<dim>::MaxDepth });
+    const int median = GetMedianDepth(made.Tree.GetDepthCounts().Leaves);
+    for (const MortonKey<dim> node : PickNodes(made.Tree, 50))
+    {
+      for (const EmptyOctants reading : Readings)
+      {
+        std::vector<Neighbor<dim>> found;
+        FindAdjacentLeaves(made.Tree, node, median, found, reading);
+        NoCount count;
+        AdjacentSearchAtStartDepth<dim, NoCount> rejected(made.Tree, count, reading);
+        std::vector<Neighbor<dim>> same;
+        const int last = std::min(MortonKey<dim>::MaxDepth, node.GetDepth() + deepestStart);
+        for (int startDepth = 0; startDepth <= last; ++startDepth)
+        {
+          rejected.Find(node, startDepth, same);
+          ASSERT_EQ(GetSortedKeys(same), GetSortedKeys(found)) << startDepth;
+          ExpectWellDescribed(made.Tree, node, same);
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(TestAdjacentSearch, ClimbingExaminesNoMoreNodesThanTheMedian)
+{
+  constexpr int dim = TestFixture::Dim;
+  // Case 3 from min(startDepth, depth - 1) (paper #25): below all leaves that is the plain walk
+  // from parent to parent. The paper expects more of the median.
+  for (const auto& sample : MakePointSamples<dim, double>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, double> made(sample);
+    const int median = GetMedianDepth(made.Tree.GetDepthCounts().Leaves);
+    NodeCount fromMedian;
+    NodeCount climbing;
+    NodeCount fromRoot;
+    std::vector<Neighbor<dim>> found;
+    ForEachLeaf(made.Tree,
+      [&](const auto& leaf)
+      {
+        FindAdjacentLeaves(made.Tree, leaf.NodeKey, median, found, fromMedian);
+        FindAdjacentLeaves(made.Tree, leaf.NodeKey, MortonKey<dim>::MaxDepth, found, climbing);
+        FindAdjacentLeaves(made.Tree, leaf.NodeKey, 0, found, fromRoot);
+      });
+    EXPECT_LE(fromMedian.Nodes, fromRoot.Nodes);
+    EXPECT_LE(climbing.Nodes, fromMedian.Nodes);
+  }
+}
+
 TEST(TestAdjacentSearchFacts, CasesAndOrder)
 {
   // The root's bottom-left child is split, and of its children the top-right one.
@@ -200,37 +257,6 @@ TEST(TestAdjacentSearchFacts, CasesAndOrder)
       { 0b111, above } });
 }
 
-TYPED_TEST(TestAdjacentSearch, TheRejectedOptionFindsTheSame)
-{
-  // Paper #22. Not from far below the node, where it looks at too many cells.
-  constexpr int dim = TestFixture::Dim;
-  constexpr int deepestStart = 8 / dim;
-  for (const auto& sample : MakePointSamples<dim, double>())
-  {
-    SCOPED_TRACE(sample.Name);
-    const SampleTree<dim, double> made(sample, { 3, MortonKey<dim>::MaxDepth });
-    const int median = GetMedianDepth(made.Tree.GetDepthCounts().Leaves);
-    for (const MortonKey<dim> node : PickNodes(made.Tree, 50))
-    {
-      for (const EmptyOctants reading : Readings)
-      {
-        std::vector<Neighbor<dim>> found;
-        FindAdjacentLeaves(made.Tree, node, median, found, reading);
-        NoCount count;
-        AdjacentSearchAtStartDepth<dim, NoCount> rejected(made.Tree, count, reading);
-        std::vector<Neighbor<dim>> same;
-        const int last = std::min(MortonKey<dim>::MaxDepth, node.GetDepth() + deepestStart);
-        for (int startDepth = 0; startDepth <= last; ++startDepth)
-        {
-          rejected.Find(node, startDepth, same);
-          ASSERT_EQ(GetSortedKeys(same), GetSortedKeys(found)) << startDepth;
-          ExpectWellDescribed(made.Tree, node, same);
-        }
-      }
-    }
-  }
-}
-
 TEST(TestAdjacentSearchFacts, TheRejectedOptionExaminesMoreNodes)
 {
   const SampleTree<3, double> made(
@@ -247,29 +273,4 @@ TEST(TestAdjacentSearchFacts, TheRejectedOptionExaminesMoreNodes)
       rejected.Find(leaf.NodeKey, median, found);
     });
   EXPECT_LT(count.Nodes, rejectedCount.Nodes);
-}
-
-TEST(TestAdjacentSearchFacts, ClimbingExaminesNoMoreNodesThanTheMedian)
-{
-  // Case 3 from min(startDepth, depth - 1) (paper #25): below all leaves that is the plain walk
-  // from parent to parent. The paper expects more of the median.
-  for (const auto& sample : MakePointSamples<3, double>())
-  {
-    SCOPED_TRACE(sample.Name);
-    const SampleTree<3, double> made(sample);
-    const int median = GetMedianDepth(made.Tree.GetDepthCounts().Leaves);
-    NodeCount fromMedian;
-    NodeCount climbing;
-    NodeCount fromRoot;
-    std::vector<Neighbor<3>> found;
-    ForEachLeaf(made.Tree,
-      [&](const auto& leaf)
-      {
-        FindAdjacentLeaves(made.Tree, leaf.NodeKey, median, found, fromMedian);
-        FindAdjacentLeaves(made.Tree, leaf.NodeKey, MortonKey<3>::MaxDepth, found, climbing);
-        FindAdjacentLeaves(made.Tree, leaf.NodeKey, 0, found, fromRoot);
-      });
-    EXPECT_LE(fromMedian.Nodes, fromRoot.Nodes);
-    EXPECT_LE(climbing.Nodes, fromMedian.Nodes);
-  }
 }
