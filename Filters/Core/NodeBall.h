@@ -72,9 +72,9 @@ public:
   NeighborCells<Dim> GetCover() const
   {
     constexpr std::int64_t size = std::int64_t(2) << Key::MaxDepth;
-    // One for cells that only touch the ball, one for what rounds.
+    // Cells at the next whole length are beyond the ball, also when squares are rounded.
     const std::int64_t reach =
-      this->Radius < static_cast<double>(size) ? static_cast<std::int64_t>(this->Radius) + 2 : size;
+      this->Radius < static_cast<double>(size) ? static_cast<std::int64_t>(this->Radius) + 1 : size;
     NeighborCells<Dim> cells;
     std::uint32_t width = 1;
     for (int axis = 0; axis < Dim; ++axis)

@@ -85,7 +85,7 @@ TYPED_TEST(TestAdjacentSearch, EqualsBruteForceAtTheModelledCost)
       SCOPED_TRACE(sample.Name);
       const SampleTree<dim, double> made(sample, { bucket, MortonKey<dim>::MaxDepth });
       const BruteForceNeighbors<dim> oracle(made.Tree);
-      for (const MortonKey<dim> node : PickNodes(made.Tree, 300))
+      for (const MortonKey<dim> node : PickNodes(made.Tree, 150))
       {
         this->Check(made.Tree, oracle, node);
       }

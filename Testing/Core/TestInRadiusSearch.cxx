@@ -109,8 +109,10 @@ TYPED_TEST(TestInRadiusSearch, NoRadiusFindsNothingAndAnInfiniteOneAll)
   for (const double radius :
     { std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity() })
   {
-    FindLeavesInRadius(made.Tree, leaf.Key, radius, 3, found);
+    NodeCount count;
+    FindLeavesInRadius(made.Tree, leaf.Key, radius, 3, found, count);
     EXPECT_EQ(found.size(), made.Tree.GetNumberOfLeaves() - 1);
+    EXPECT_EQ(count.Nodes, made.Tree.GetNumberOfNodes() - 2); // Not the root and the leaf itself.
     FindLeavesInRadius(made.Tree, MortonKey<dim>::Root(), radius, 3, found);
     EXPECT_TRUE(found.empty());
   }
@@ -154,7 +156,7 @@ TEST(TestInRadiusSearchFacts, EmptySpaceCostsNothing)
 TEST(TestInRadiusSearchFacts, CasesAndOrder)
 {
   // The root's bottom-left child is split, and of its children the top-right one. Radii are in
-  // sides of 8 of the root.
+  // the units of the points: the root has side 8.
   const SampleTree<2, double> made(
     PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
   const auto expect = [&made](std::uint64_t node, double radius,
