@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InRadiusSearch.h"
+
+#include "NodeBall.h"
+
+namespace hashedoctree
+{
+namespace
+{
+/** One in-radius search. */
+template <int Dim, typename Count>
+class InRadiusWalk
+{
+public:
+  InRadiusWalk(const Octree<Dim>& tree, MortonKey<Dim> node, const NodeBall<Dim>& ball,
+    EmptyOctants reading, std::vector<Neighbor<Dim>>& found, Count& count)
+    : Tree(tree)
+    , Node(node)
+    , Depth(node.GetDepth())
+    , Ball(ball)
+    , Reading(reading)
+    , Found(found)
+    , Examined(count)
+  {
+  }
+
+  /** The ball must reach the border of the node, so that the cells that cover it are above. */
+  void Search(int startDepth)
+  {
+    const NeighborCells<Dim> cover = this->Ball.GetCover();
+    ReachCells(
+      this->Tree, cover, startDepth, this->Reading, this->Examined,
+      [this, &cover](const Cell<Dim>& cell, Key key, const Entry& entry)
+      { this->Descend(entry.Block, key, cell, cover.Depth); },
+      [this](const FoundLeaf<Dim>& leaf)
+      {
+        const Key key = leaf.Key;
+        if (this->Ball.GetSide(key.GetCell(), key.GetDepth()) != BallSide::Outside)
+        {
+          this->Found.push_back({ key, leaf.ParentBlock, NeighborCase::Above });
+        }
+      });
+  }
+
+private:
+  using Key = MortonKey<Dim>;
+  using Block = typename Octree<Dim>::Block;
+  using Entry = typename Octree<Dim>::Entry;
+
+  /** Through the children of an internal node that meet the ball. */
+  void Descend(std::uint32_t number, Key key, const Cell<Dim>& cell, int depth)
+  {
+    const Block& block = this->Tree.GetBlock(number);
+    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    {
+      const Key child = key.GetChild(octant);
+      if (child == this->Node)
+      {
+        continue;
+      }
+      this->Examined.AddNode();
+      const Cell<Dim> childCell = GetChildCell(cell, octant);
+      const BallSide side = this->Ball.GetSide(childCell, depth + 1);
+      if (side == BallSide::Outside)
+      {
+        continue;
+      }
+      if ((block.Internal >> octant & 1U) == 0)
+      {
+        this->AddLeaf(block, octant, number, child, depth + 1);
+      }
+      else if (side == BallSide::Across)
+      {
+        this->Descend(Octree<Dim>::GetChildBlock(block, octant), child, childCell, depth + 1);
+      }
+      else
+      {
+        this->ListLeaves(Octree<Dim>::GetChildBlock(block, octant), child, depth + 1);
+      }
+    }
+  }
+
+  /** All leaves of an internal node that lies inside the ball. */
+  void ListLeaves(std::uint32_t number, Key key, int depth)
+  {
+    const Block& block = this->Tree.GetBlock(number);
+    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    {
+      const Key child = key.GetChild(octant);
+      if (child == this->Node)
+      {
+        continue;
+      }
+      this->Examined.AddNode();
+      if ((block.Internal >> octant & 1U) == 0)
+      {
+        this->AddLeaf(block, octant, number, child, depth + 1);
+      }
+      else
+      {
+        this->ListLeaves(Octree<Dim>::GetChildBlock(block, octant), child, depth + 1);
+      }
+    }
+  }
+
+  static Cell<Dim> GetChildCell(const Cell<Dim>& cell, unsigned octant)
+  {
+    Cell<Dim> child;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      child[axis] = 2U * cell[axis] + (octant >> (Dim - 1 - axis) & 1U);
+    }
+    return child;
+  }
+
+  /** A child that is not internal, unless it is an empty octant of a sparse tree. */
+  void AddLeaf(const Block& block, unsigned octant, std::uint32_t number, Key key, int depth)
+  {
+    if (this->Reading == EmptyOctants::Leaves || (block.Occupied >> octant & 1U) != 0)
+    {
+      this->Found.push_back({ key, number,
+        depth == this->Depth    ? NeighborCase::Leaf
+          : depth > this->Depth ? NeighborCase::Descended
+                                : NeighborCase::Above });
+    }
+  }
+
+  const Octree<Dim>& Tree;
+  const Key Node;
+  const int Depth;
+  const NodeBall<Dim>& Ball;
+  const EmptyOctants Reading;
+  std::vector<Neighbor<Dim>>& Found;
+  Count& Examined;
+};
+}
+
+template <int Dim, typename Count>
+void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
+  std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
+{
+  found.clear();
+  if (!(radius >= 0.0) || node == MortonKey<Dim>::Root())
+  {
+    return;
+  }
+  const NodeBall<Dim> ball(tree.GetGrid(), node, radius);
+  if (ball.ReachesBorder())
+  {
+    InRadiusWalk<Dim, Count>(tree, node, ball, reading, found, count).Search(startDepth);
+  }
+}
+
+#define HASHEDOCTREE_INSTANTIATE(Dim, Count)                                                       \
+  template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
+    std::vector<Neighbor<Dim>>&, Count&, EmptyOctants);
+HASHEDOCTREE_INSTANTIATE(1, NoCount)
+HASHEDOCTREE_INSTANTIATE(1, NodeCount)
+HASHEDOCTREE_INSTANTIATE(2, NoCount)
+HASHEDOCTREE_INSTANTIATE(2, NodeCount)
+HASHEDOCTREE_INSTANTIATE(3, NoCount)
+HASHEDOCTREE_INSTANTIATE(3, NodeCount)
+HASHEDOCTREE_INSTANTIATE(4, NoCount)
+HASHEDOCTREE_INSTANTIATE(4, NodeCount)
+#undef HASHEDOCTREE_INSTANTIATE
+}

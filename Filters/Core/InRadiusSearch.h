@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_InRadiusSearch_h
+#define hashedoctree_InRadiusSearch_h
+
+#include "DirectSearch.h"
+#include "Neighbor.h"
+
+#include <vector>
+
+namespace hashedoctree
+{
+/**
+ * In-radius search (paper section 3c): the leaves around a node whose closed cells meet the closed
+ * ball around its center. NodeBall.h says what is computed, to the last digit.
+ *
+ * `node` is any existing node, leaf or internal; itself, and what lies in it, is left out. The root
+ * has no neighbours. `radius` is in world units: negative or NaN finds nothing, infinite all other
+ * leaves. It may be larger than the node (E14): instead of all cells of the node's size in the
+ * ball, of which there can be millions, the search looks at the at most 2^Dim cells that cover the
+ * ball, of the deepest depth whose cells are as wide. It reaches each directly through the table,
+ * or finds the leaf above by a direct search from min(startDepth, depth of these cells), and goes
+ * down through the children that meet the ball; those inside it are listed without a test.
+ *
+ * `found` is replaced by the leaves, each once, in an order that depends on the tree, the node and
+ * the radius alone: by the covering cells, lower ones first, the first coordinate counting most,
+ * and within each along the Morton curve. In the sparse reading empty octants are no leaves, and an
+ * internal node is never found in their place (E4, E5).
+ *
+ * `startDepth`, any depth in [0, MortonKey::MaxDepth], changes the cost, never the answer. Counted
+ * are the children looked at on the way down, one for each covering cell that has none, and the
+ * nodes that the direct searches examine. O(nodes that meet the ball, and their children), plus
+ * O(MaxDepth). Allocates only where `found` grows. Thread safe.
+ *
+ * Instantiated for NoCount and NodeCount.
+ */
+template <int Dim, typename Count>
+void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
+  std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading = EmptyOctants::Leaves);
+
+/** FindLeavesInRadius() without counting. */
+template <int Dim>
+void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
+  std::vector<Neighbor<Dim>>& found, EmptyOctants reading = EmptyOctants::Leaves)
+{
+  NoCount count;
+  FindLeavesInRadius(tree, node, radius, startDepth, found, count, reading);
+}
+}
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_NeighborCells_h
+#define hashedoctree_NeighborCells_h
+
+#include "DirectSearch.h"
+
+#include <algorithm>
+
+namespace hashedoctree
+{
+/** At most 2^Dim cells of one depth around one place: one or two along each axis. */
+template <int Dim>
+struct NeighborCells
+{
+  Cell<Dim> Lower; ///< The first along each axis.
+  Cell<Dim> Upper; ///< The last: the same, or the next one.
+  int Depth;
+
+  /** The cell that is the upper one along the axes of `corner`, which are placed as in an octant.
+   */
+  Cell<Dim> GetCell(unsigned corner) const
+  {
+    Cell<Dim> cell;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      cell[axis] = (corner >> (Dim - 1 - axis) & 1U) != 0 ? this->Upper[axis] : this->Lower[axis];
+    }
+    return cell;
+  }
+
+  /** Whether no smaller corner has the same cell. */
+  bool IsFirst(unsigned corner) const
+  {
+    bool isFirst = true;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const bool isUpper = (corner >> (Dim - 1 - axis) & 1U) != 0;
+      isFirst &= !isUpper || this->Upper[axis] != this->Lower[axis];
+    }
+    return isFirst;
+  }
+};
+
+/**
+ * Reaches the cells directly through the table, in the order of their corners. For each that is an
+ * internal node it calls onBlock(cell, key, entry). The others lie in leaves, of the same depth or
+ * higher: these are found by direct searches from min(startDepth, depth of the cells) (case 3 of
+ * paper Algorithm 2, with the depth of E5) and given to onLeaf(leaf), each once however many of the
+ * cells it holds, and empty cells of a sparse tree not at all.
+ *
+ * Counts one node for each cell that turns out to have no children, and those that the direct
+ * searches examine; onBlock counts what it looks at. Allocates nothing. Thread safe.
+ */
+template <int Dim, typename Count, typename OnBlock, typename OnLeaf>
+void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int startDepth,
+  EmptyOctants reading, Count& count, const OnBlock& onBlock, const OnLeaf& onLeaf)
+{
+  using Key = MortonKey<Dim>;
+  std::array<Key, Key::NumberOfOctants> keys{}; // Where it is Key(), there is nothing to do.
+  for (unsigned corner = 0; corner < keys.size(); ++corner)
+  {
+    if (cells.IsFirst(corner))
+    {
+      keys[corner] = Key::FromCell(cells.GetCell(corner), cells.Depth);
+    }
+  }
+  for (unsigned corner = 0; corner < keys.size(); ++corner)
+  {
+    const Key key = keys[corner];
+    if (key == Key())
+    {
+      continue;
+    }
+    if (const typename Octree<Dim>::Entry* entry = tree.GetTable().Find(key.GetValue()))
+    {
+      onBlock(cells.GetCell(corner), key, *entry);
+      continue;
+    }
+    count.AddNode();
+    const FoundLeaf<Dim> leaf =
+      FindLeaf(tree, key.GetFirstAtMaxDepth(), std::min(startDepth, cells.Depth), count, reading);
+    const int shift = Dim * (cells.Depth - leaf.Key.GetDepth());
+    for (Key& other : keys)
+    {
+      other = other.GetValue() >> shift == leaf.Key.GetValue() ? Key() : other;
+    }
+    if (leaf.Exists)
+    {
+      onLeaf(leaf);
+    }
+  }
+}
+}
+
+#endif

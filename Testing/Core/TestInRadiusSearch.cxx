@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InRadiusSearch.h"
+
+#include "AdjacentSearch.h"
+#include "BruteForceNeighbors.h"
+#include "Dimensions.h"
+#include "NeighborCases.h"
+
+#include <limits>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestInRadiusSearch : public ::testing::Test
+{
+protected:
+  static constexpr int Dim = Dimension::value;
+  using Key = MortonKey<Dim>;
+
+  /** Radii from 0 to beyond the root: within the node, to its faces exactly, beyond its adjacent
+   * leaves, and in steps of the depth. */
+  static std::vector<double> GetRadii(const Grid<Dim>& grid, int depth)
+  {
+    const double side = grid.GetSide(depth);
+    std::vector<double> radii{ 0.0, 0.49 * side, 0.5 * side, 0.51 * side, std::sqrt(0.5) * side,
+      side, 1.5 * side, 1.51 * side, 2.5 * side, 7.0 * side, 2.0 * grid.GetSide(),
+      std::numeric_limits<double>::infinity() };
+    for (int above = 0; above < depth; above += 2)
+    {
+      radii.push_back(0.7 * grid.GetSide(above));
+    }
+    return radii;
+  }
+
+  static void Check(const Octree<Dim>& tree, const BruteForceNeighbors<Dim>& oracle, Key node)
+  {
+    const double side = tree.GetGrid().GetSide();
+    for (const double radius : GetRadii(tree.GetGrid(), node.GetDepth()))
+    {
+      const std::uint64_t mostNodes = Key::NumberOfOctants *
+        (oracle.CountInternalNodesInRadius(node, radius, side) + 2 + Key::MaxDepth);
+      for (const EmptyOctants reading : { EmptyOctants::Leaves, EmptyOctants::Missing })
+      {
+        const auto expected = oracle.FindInRadius(node, radius, side, reading);
+        std::vector<Neighbor<Dim>> first;
+        FindLeavesInRadius(tree, node, radius, 0, first, reading);
+        ASSERT_EQ(GetSortedKeys(first), expected) << radius / side;
+        ExpectWellDescribed(tree, node, first);
+        for (int startDepth = 0; startDepth <= Key::MaxDepth; startDepth += 5)
+        {
+          std::vector<Neighbor<Dim>> found(1);
+          NodeCount count;
+          FindLeavesInRadius(tree, node, radius, startDepth, found, count, reading);
+          ASSERT_EQ(found.size(), first.size());
+          ASSERT_TRUE(std::equal(found.begin(), found.end(), first.begin(),
+            [](const auto& a, const auto& b) { return a.Key == b.Key; }));
+          ASSERT_LE(count.Nodes, mostNodes);
+        }
+      }
+    }
+  }
+};
+TYPED_TEST_SUITE(TestInRadiusSearch, Dimensions);
+
+TYPED_TEST(TestInRadiusSearch, EqualsBruteForce)
+{
+  constexpr int dim = TestFixture::Dim;
+  for (const auto& sample : MakePointSamples<dim, double>())
+  {
+    for (const std::size_t bucket : { 1U, 3U })
+    {
+      SCOPED_TRACE(sample.Name);
+      const SampleTree<dim, double> made(sample, { bucket, MortonKey<dim>::MaxDepth });
+      const BruteForceNeighbors<dim> oracle(made.Tree);
+      for (const MortonKey<dim> node : PickNodes(made.Tree, 12))
+      {
+        this->Check(made.Tree, oracle, node);
+      }
+    }
+  }
+}
+
+TYPED_TEST(TestInRadiusSearch, EqualsBruteForceForAllNodesOfSmallTrees)
+{
+  constexpr int dim = TestFixture::Dim;
+  for (const auto& coordinates :
+    { MakeUniformPoints<dim, double>(20, 601), MakeClusteredPoints<dim, double>(4, 602) })
+  {
+    const SampleTree<dim, double> made(PointSample<dim, double>{ "few", coordinates });
+    const BruteForceNeighbors<dim> oracle(made.Tree);
+    ForEachNode(made.Tree, [&](const auto& node) { this->Check(made.Tree, oracle, node.NodeKey); });
+  }
+}
+
+TYPED_TEST(TestInRadiusSearch, NoRadiusFindsNothingAndAnInfiniteOneAll)
+{
+  constexpr int dim = TestFixture::Dim;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "uniform", MakeUniformPoints<dim, double>(100, 611) });
+  const auto leaf = FindLeaf(made.Tree, MortonKey<dim>::Root().GetLastAtMaxDepth(), 0);
+  std::vector<Neighbor<dim>> found;
+  for (const double radius :
+    { -1.0, -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  {
+    found.resize(1);
+    FindLeavesInRadius(made.Tree, leaf.Key, radius, 3, found);
+    EXPECT_TRUE(found.empty());
+  }
+  for (const double radius :
+    { std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity() })
+  {
+    NodeCount count;
+    FindLeavesInRadius(made.Tree, leaf.Key, radius, 3, found, count);
+    EXPECT_EQ(found.size(), made.Tree.GetNumberOfLeaves() - 1);
+    EXPECT_EQ(count.Nodes, made.Tree.GetNumberOfNodes() - 2); // Not the root and the leaf itself.
+    FindLeavesInRadius(made.Tree, MortonKey<dim>::Root(), radius, 3, found);
+    EXPECT_TRUE(found.empty());
+  }
+}
+
+TYPED_TEST(TestInRadiusSearch, ToTheCornersAreTheAdjacentLeavesAtLeast)
+{
+  constexpr int dim = TestFixture::Dim;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "clusters", MakeClusteredPoints<dim, double>(50, 621) });
+  std::vector<Neighbor<dim>> adjacent;
+  std::vector<Neighbor<dim>> found;
+  ForEachLeaf(made.Tree,
+    [&](const auto& leaf)
+    {
+      const double side = made.Tree.GetGrid().GetSide(leaf.NodeKey.GetDepth());
+      FindAdjacentLeaves(made.Tree, leaf.NodeKey, 3, adjacent);
+      FindLeavesInRadius(made.Tree, leaf.NodeKey, std::sqrt(dim) * 0.501 * side, 3, found);
+      const auto keys = GetSortedKeys(found);
+      const auto adjacentKeys = GetSortedKeys(adjacent);
+      EXPECT_TRUE(
+        std::includes(keys.begin(), keys.end(), adjacentKeys.begin(), adjacentKeys.end()));
+    });
+}
+
+TEST(TestInRadiusSearchFacts, EmptySpaceCostsNothing)
+{
+  // The smallest node, and a ball of a million cells of its size: in it are a few large leaves.
+  const SampleTree<3, double> made(PointSample<3, double>{
+    "pair", { 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0 } });
+  const auto leaf =
+    FindLeaf(made.Tree, made.Tree.GetGrid().GetKey(Position<3>{ 0.1, 0.1, 0.1 }.data()), 0);
+  ASSERT_EQ(leaf.Key.GetDepth(), MortonKey<3>::MaxDepth);
+  std::vector<Neighbor<3>> found;
+  NodeCount count;
+  FindLeavesInRadius(made.Tree, leaf.Key, 60.0 * made.Tree.GetGrid().GetSide(21), 21, found, count);
+  EXPECT_GT(found.size(), 40U);
+  EXPECT_LT(count.Nodes, 150U);
+}
+
+TEST(TestInRadiusSearchFacts, CasesAndOrder)
+{
+  // The root's bottom-left child is split, and of its children the top-right one. Radii are in
+  // the units of the points: the root has side 8.
+  const SampleTree<2, double> made(
+    PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
+  const auto expect = [&made](std::uint64_t node, double radius,
+                        const std::vector<std::pair<std::uint64_t, NeighborCase>>& expected)
+  {
+    std::vector<Neighbor<2>> found;
+    FindLeavesInRadius(made.Tree, MortonKey<2>(node), radius, 0, found);
+    std::vector<std::pair<std::uint64_t, NeighborCase>> listed;
+    listed.reserve(found.size());
+    for (const auto& neighbor : found)
+    {
+      listed.emplace_back(neighbor.Key.GetValue(), neighbor.Case);
+    }
+    EXPECT_EQ(listed, expected);
+  };
+  constexpr auto leaf = NeighborCase::Leaf;
+  constexpr auto descended = NeighborCase::Descended;
+  constexpr auto above = NeighborCase::Above;
+  // Around (3, 1), the middle of [2, 4] x [0, 2].
+  expect(0b10010, 0.99, {});
+  expect(0b10010, 1.0,
+    { { 0b10000, leaf }, { 0b1001100, descended }, { 0b1001110, descended }, { 0b110, above } });
+  expect(0b10010, 1.5,
+    { { 0b10000, leaf }, { 0b10001, leaf }, { 0b1001100, descended }, { 0b1001110, descended },
+      { 0b110, above } });
+  expect(0b10010, 3.1,
+    { { 0b10000, leaf }, { 0b10001, leaf }, { 0b1001100, descended }, { 0b1001101, descended },
+      { 0b1001110, descended }, { 0b1001111, descended }, { 0b101, above }, { 0b110, above } });
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Support_NeighborCases_h
+#define Testing_Support_NeighborCases_h
+
+#include "Neighbor.h"
+#include "SampleTree.h"
+
+#include <algorithm>
+#include <vector>
+
+/** The keys of found neighbours, sorted; one found twice is there twice. */
+template <int Dim>
+std::vector<std::uint64_t> GetSortedKeys(const std::vector<hashedoctree::Neighbor<Dim>>& found)
+{
+  std::vector<std::uint64_t> keys;
+  keys.reserve(found.size());
+  for (const auto& neighbor : found)
+  {
+    keys.push_back(neighbor.Key.GetValue());
+  }
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+/** Checks what is told of each neighbour of a node beside its key. */
+template <int Dim>
+void ExpectWellDescribed(const hashedoctree::Octree<Dim>& tree, hashedoctree::MortonKey<Dim> node,
+  const std::vector<hashedoctree::Neighbor<Dim>>& found)
+{
+  for (const auto& neighbor : found)
+  {
+    const int depth = neighbor.Key.GetDepth();
+    const auto expected = depth == node.GetDepth() ? hashedoctree::NeighborCase::Leaf
+      : depth > node.GetDepth()                    ? hashedoctree::NeighborCase::Descended
+                                                   : hashedoctree::NeighborCase::Above;
+    EXPECT_EQ(neighbor.Case, expected);
+    EXPECT_EQ(tree.GetBlockKey(neighbor.ParentBlock), neighbor.Key.GetParent());
+  }
+}
+
+/** About `wanted` nodes of a tree, leaves and internal ones of all depths, or all if there are
+ * fewer. */
+template <int Dim>
+std::vector<hashedoctree::MortonKey<Dim>> PickNodes(
+  const hashedoctree::Octree<Dim>& tree, std::size_t wanted)
+{
+  std::vector<hashedoctree::MortonKey<Dim>> nodes;
+  const std::size_t step = tree.GetNumberOfNodes() / wanted + 1;
+  std::size_t number = 0;
+  ForEachNode(tree,
+    [&](const auto& node)
+    {
+      if (number++ % step == 0)
+      {
+        nodes.push_back(node.NodeKey);
+      }
+    });
+  return nodes;
+}
+
+#endif
