@@ -46,8 +46,9 @@
  * result does not depend on the number of threads (vtkSMPTools). Progress is reported throughout;
  * an abort is heeded within a tenth of a second and leaves all outputs empty (VTK keeps
  * AbortExecute set: reset it before the next update). Points with the same cell at MaxDepth share a
- * leaf, however many they are. At most 2^32 - 2 points. Of a distributed data set every process
- * makes the tree of its own piece; give CustomBounds for one grid.
+ * leaf, however many they are. At most 2^32 - 2 points, unless built with
+ * HASHEDOCTREE_64BIT_IDS. Of a distributed data set every process makes the tree of its own piece;
+ * give CustomBounds for one grid.
  */
 
 #ifndef vtkHashedOctreeFilter_h

@@ -346,20 +346,20 @@ void vtkHashedOctreePointLocator::FindClosestNPoints(
 void vtkHashedOctreePointLocator::FindPointsWithinRadius(
   double radius, const double x[3], vtkIdList* result)
 {
-  Found<std::uint32_t> found;
+  Found<PointIndex> found;
   this->GetIndex().Search(
     [&](const auto& search) {
       search.FindWithin({ x[0], x[1], x[2] }, radius, found.Get());
     });
-  found.CopyTo(result, [](std::uint32_t id) { return id; });
+  found.CopyTo(result, [](PointIndex id) { return id; });
 }
 
 void vtkHashedOctreePointLocator::FindPointsWithinBox(const double bounds[6], vtkIdList* result)
 {
   const Box<3> box({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] });
-  Found<std::uint32_t> found;
+  Found<PointIndex> found;
   this->GetIndex().Search([&](const auto& search) { search.FindWithin(box, found.Get()); });
-  found.CopyTo(result, [](std::uint32_t id) { return id; });
+  found.CopyTo(result, [](PointIndex id) { return id; });
 }
 
 template <typename Function>

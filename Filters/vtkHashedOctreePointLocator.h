@@ -38,8 +38,9 @@
  * the data set may be changed, emptied or replaced between queries; a change of its cells or
  * attributes alone asks for no new tree. After BuildLocator(), called directly or by
  * a query, the queries are thread safe as long as nothing is modified. The build runs on the
- * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points;
- * more, or not enough memory, is an error, after which queries find nothing.
+ * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
+ * unless built with HASHEDOCTREE_64BIT_IDS; more, or not enough memory, is an error, after which
+ * queries find nothing.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones

@@ -44,7 +44,8 @@ read_arguments() {
         case "${2:-}" in
           address)
             build="$root/build/asan"
-            options+=("${sanitizer_options[@]}" 'HASHEDOCTREE_SANITIZE:STRING=address,undefined') ;;
+            options+=("${sanitizer_options[@]}" 'HASHEDOCTREE_SANITIZE:STRING=address,undefined'
+              HASHEDOCTREE_64BIT_IDS:BOOL=ON) ;; # so that both widths are tested
           thread)
             build="$root/build/tsan"
             options+=("${sanitizer_options[@]}" HASHEDOCTREE_SANITIZE:STRING=thread) ;;

@@ -59,7 +59,7 @@ private:
     std::vector<char> seen(this->Points.Count, 0);
     for (std::size_t place = 0; place < this->Tree.GetNumberOfPoints(); ++place)
     {
-      const std::uint32_t id = this->Tree.GetPointIds()[place];
+      const PointIndex id = this->Tree.GetPointIds()[place];
       const bool valid = id < this->Points.Count && seen[id] == 0;
       this->Require(valid, "each point stands in the order once", Key::Root());
       if (!valid)
@@ -111,7 +111,7 @@ private:
     this->Require(block == 0 || this->IsBefore(this->Tree.GetBlockKey(block - 1), node.NodeKey),
       "blocks are ordered by depth, then by key", node.NodeKey);
 
-    std::uint32_t next = node.FirstPoint;
+    PointIndex next = node.FirstPoint;
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
       const Node child = this->Tree.GetChild(block, octant);

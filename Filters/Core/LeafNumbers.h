@@ -8,7 +8,8 @@ namespace hashedoctree
 {
 /**
  * Numbers for the leaves that hold points, from 0 on, ordered by depth, then by Morton key: the
- * order in which ListNodes() lists them. Four bytes for each internal node. Immutable; thread safe.
+ * order in which ListNodes() lists them. One PointIndex for each internal node. Immutable; thread
+ * safe.
  */
 template <int Dim>
 class LeafNumbers
@@ -20,7 +21,7 @@ public:
   explicit LeafNumbers(const Octree<Dim>& tree)
     : First(tree.GetNumberOfInternalNodes())
   {
-    std::uint32_t number = 0;
+    PointIndex number = 0;
     for (std::size_t block = 0; block < this->First.GetSize(); ++block)
     {
       this->First[block] = number;
@@ -29,7 +30,7 @@ public:
   }
 
   /** The number of a leaf that holds points, given the block that describes it. */
-  std::uint32_t Get(
+  PointIndex Get(
     const typename Octree<Dim>::Block& block, std::size_t blockNumber, unsigned octant) const
   {
     return this->First[blockNumber] + CountOctants(GetLeaves(block) & ((1U << octant) - 1U));
@@ -43,7 +44,7 @@ private:
     return block.Occupied & ~static_cast<std::uint32_t>(block.Internal);
   }
 
-  Buffer<std::uint32_t> First;
+  Buffer<PointIndex> First;
 };
 }
 

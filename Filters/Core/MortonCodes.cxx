@@ -100,7 +100,7 @@ Buffer<CodedPoint<Dim>> EncodePoints(PointSpan<Dim, Real> points,
         {
           if (selection.Keeps(points[i]))
           {
-            coded[next + kept].Id = static_cast<std::uint32_t>(i);
+            coded[next + kept].Id = static_cast<PointIndex>(i);
             cells[kept] = grid.GetCell(points[i]);
             ++kept;
           }

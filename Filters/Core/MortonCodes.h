@@ -35,7 +35,7 @@ template <int Dim>
 struct CodedPoint
 {
   MortonKey<Dim> Key;
-  std::uint32_t Id;
+  PointIndex Id;
 };
 
 /** The selected points with their keys, in the order of the data set. O(n). Throws Interrupted. */

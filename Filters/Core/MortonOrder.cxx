@@ -14,7 +14,7 @@ constexpr std::size_t InsertionLimit = 32; // Up to here insertion beats countin
 constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a range on its own.
 constexpr std::size_t ChunkSize = 16384;   // Points that a thread partitions at a time.
 
-using DigitCounts = std::array<std::uint32_t, NumberOfDigits>;
+using DigitCounts = std::array<PointIndex, NumberOfDigits>;
 
 template <int Dim>
 class Sorter
@@ -94,13 +94,13 @@ private:
       });
 
     std::array<std::size_t, NumberOfDigits + 1> starts;
-    std::uint32_t sum = 0;
+    PointIndex sum = 0;
     for (std::size_t digit = 0; digit < NumberOfDigits; ++digit)
     {
       starts[digit] = sum;
       for (DigitCounts& chunk : offsets)
       {
-        const std::uint32_t here = chunk[digit];
+        const PointIndex here = chunk[digit];
         chunk[digit] = sum;
         sum += here;
       }
@@ -206,10 +206,10 @@ private:
       }
     }
 
-    std::uint32_t sum = 0;
-    for (std::uint32_t& offset : offsets)
+    PointIndex sum = 0;
+    for (PointIndex& offset : offsets)
     {
-      const std::uint32_t here = offset;
+      const PointIndex here = offset;
       offset = sum;
       sum += here;
     }
@@ -217,8 +217,8 @@ private:
     {
       other[offsets[Digit(from[i], shift)]++] = from[i];
     }
-    std::uint32_t first = 0;
-    for (const std::uint32_t last : offsets)
+    PointIndex first = 0;
+    for (const PointIndex last : offsets)
     {
       if (last != first)
       {

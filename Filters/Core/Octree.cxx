@@ -42,7 +42,7 @@ std::size_t Octree<Dim>::GetNumberOfEmptyLeaves() const
 template <int Dim>
 typename Octree<Dim>::Node Octree<Dim>::GetRoot() const
 {
-  return Node{ Key::Root(), 0, static_cast<std::uint32_t>(this->GetNumberOfPoints()),
+  return Node{ Key::Root(), 0, static_cast<PointIndex>(this->GetNumberOfPoints()),
     this->IsRootInternal() };
 }
 

@@ -74,8 +74,7 @@ public:
     std::uint32_t FirstChild; ///< Block of the first internal child; no meaning when there is none.
     OctantMask<Dim> Internal; ///< Children that are internal nodes.
     OctantMask<Dim> Occupied; ///< Children that hold points.
-    std::array<std::uint32_t, NumberOfOctants + 1>
-      FirstPoint; ///< Where each range begins and ends.
+    std::array<PointIndex, NumberOfOctants + 1> FirstPoint; ///< Where each range begins and ends.
   };
 
   /** What the table tells of an internal node. */
@@ -90,11 +89,11 @@ public:
   struct Node
   {
     Key NodeKey;
-    std::uint32_t FirstPoint;
-    std::uint32_t LastPoint; ///< One past the last.
+    PointIndex FirstPoint;
+    PointIndex LastPoint; ///< One past the last.
     bool Internal;
 
-    std::uint32_t GetNumberOfPoints() const { return this->LastPoint - this->FirstPoint; }
+    PointIndex GetNumberOfPoints() const { return this->LastPoint - this->FirstPoint; }
     bool IsEmpty() const { return this->FirstPoint == this->LastPoint; }
   };
 
@@ -129,7 +128,7 @@ public:
   std::size_t GetNumberOfEmptyLeaves() const;
 
   /** Ids of the points in Morton order, equal keys by id: `GetNumberOfPoints()` values. */
-  const std::uint32_t* GetPointIds() const { return this->PointIds.GetData(); }
+  const PointIndex* GetPointIds() const { return this->PointIds.GetData(); }
   /** The blocks, and the keys of their nodes, in the same order. */
   const Block& GetBlock(std::size_t block) const { return this->Blocks[block]; }
   Key GetBlockKey(std::size_t block) const { return this->BlockKeys[block]; }
@@ -165,7 +164,7 @@ private:
   Grid<Dim> RootGrid;
   Options BuildOptions;
   DepthCounts Counts = DepthCounts::OfEmptyTree();
-  Buffer<std::uint32_t> PointIds;
+  Buffer<PointIndex> PointIds;
   Buffer<Block> Blocks;
   Buffer<Key> BlockKeys;
   NodeTable<Entry> Table;

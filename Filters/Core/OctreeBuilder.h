@@ -88,7 +88,7 @@ private:
   void CountNodes(const Execution& execution)
   {
     const std::size_t numberOfPoints = this->Points.GetSize();
-    this->Tree.PointIds = Buffer<std::uint32_t>(numberOfPoints);
+    this->Tree.PointIds = Buffer<PointIndex>(numberOfPoints);
     this->ForChunks(numberOfPoints, execution,
       [this](std::size_t chunk, std::size_t first, std::size_t last)
       {
@@ -139,7 +139,7 @@ private:
             const auto d = static_cast<std::size_t>(depth);
             const std::size_t node = next[d]++;
             this->Tree.BlockKeys[node] = this->Points[i].Key.AtDepth(depth);
-            this->Tree.Blocks[node].FirstPoint[0] = static_cast<std::uint32_t>(i);
+            this->Tree.Blocks[node].FirstPoint[0] = static_cast<PointIndex>(i);
             // Internal children begin here or later, and all earlier ones have other parents.
             this->Tree.Blocks[node].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
           }
@@ -203,8 +203,7 @@ private:
   }
 
   /** Where the range of each child begins and ends, given where the first one begins. */
-  void FindChildRanges(
-    Key key, std::array<std::uint32_t, Key::NumberOfOctants + 1>& firstPoint) const
+  void FindChildRanges(Key key, std::array<PointIndex, Key::NumberOfOctants + 1>& firstPoint) const
   {
     const std::size_t first = firstPoint[0];
     const Key lastKey = key.GetLastAtMaxDepth();
@@ -213,7 +212,7 @@ private:
     {
       for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
       {
-        firstPoint[octant + 1] = static_cast<std::uint32_t>(
+        firstPoint[octant + 1] = static_cast<PointIndex>(
           this->FindFirstPointAfter(key.GetChild(octant).GetLastAtMaxDepth(), firstPoint[octant]));
       }
       return;
@@ -226,7 +225,7 @@ private:
     {
       ++firstPoint[this->Points[i].Key.AtDepth(childDepth).GetOctant() + 1];
     }
-    firstPoint[0] = static_cast<std::uint32_t>(first);
+    firstPoint[0] = static_cast<PointIndex>(first);
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
     {
       firstPoint[octant + 1] += firstPoint[octant];

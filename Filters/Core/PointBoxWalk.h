@@ -22,7 +22,7 @@ class PointBoxWalk
 {
 public:
   PointBoxWalk(
-    const PointTree<Dim, Real>& tree, const Box<Dim>& box, std::vector<std::uint32_t>& found)
+    const PointTree<Dim, Real>& tree, const Box<Dim>& box, std::vector<PointIndex>& found)
     : Tree(tree)
     , Nodes(tree.GetOctree())
     , Wanted(box)
@@ -40,7 +40,7 @@ public:
   {
     if (!this->Nodes.IsRootInternal())
     {
-      this->ScanLeaf(0, static_cast<std::uint32_t>(this->Nodes.GetNumberOfPoints()));
+      this->ScanLeaf(0, static_cast<PointIndex>(this->Nodes.GetNumberOfPoints()));
       return;
     }
     const Grid<Dim>& grid = this->Nodes.GetGrid();
@@ -100,8 +100,8 @@ private:
       }
       const Side side = this->GetSide(
         this->Tree.GetChildBoxes(number), octant, origin, width / ChildBoxes<Dim>::Steps);
-      const std::uint32_t first = block.FirstPoint[octant];
-      const std::uint32_t last = block.FirstPoint[octant + 1];
+      const PointIndex first = block.FirstPoint[octant];
+      const PointIndex last = block.FirstPoint[octant + 1];
       if (side == Side::Inside)
       {
         this->Found.insert(
@@ -118,7 +118,7 @@ private:
     }
   }
 
-  void ScanLeaf(std::uint32_t first, std::uint32_t last)
+  void ScanLeaf(PointIndex first, PointIndex last)
   {
     if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
     {
@@ -145,7 +145,7 @@ private:
   const PointTree<Dim, Real>& Tree;
   const Octree<Dim>& Nodes;
   const Box<Dim>& Wanted;
-  std::vector<std::uint32_t>& Found;
+  std::vector<PointIndex>& Found;
   Position<Dim>
     Lower; ///< Of the wanted box, from the lower corner of the root, in cells of MaxDepth.
   Position<Dim> Upper;

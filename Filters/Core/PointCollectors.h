@@ -31,7 +31,7 @@ public:
   {
   }
   double GetBound2() const { return this->Dist2; }
-  void Add(const double* dist2, double least, const std::uint32_t* ids, std::size_t count)
+  void Add(const double* dist2, double least, const PointIndex* ids, std::size_t count)
   {
     // Ids are far away in memory, and looked at only where distances are equal.
     if (least < this->Dist2)
@@ -42,7 +42,7 @@ public:
     for (std::uint64_t places = this->Select(dist2, count, least); places != 0;
          places &= places - 1)
     {
-      const std::uint32_t* id = ids + __builtin_ctzll(places);
+      const PointIndex* id = ids + __builtin_ctzll(places);
       if (this->Id == nullptr || *id < *this->Id)
       {
         this->Id = id;
@@ -55,7 +55,7 @@ public:
 private:
   double Dist2;
   std::uint64_t (*Select)(const double*, std::size_t, double);
-  const std::uint32_t* Id = nullptr;
+  const PointIndex* Id = nullptr;
 };
 
 /** The closest few so far, in order; up to MostWanted, where that beats a heap. */
@@ -72,7 +72,7 @@ public:
   {
   }
   double GetBound2() const { return this->Bound2; }
-  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  void Insert(double dist2, std::uint32_t id)
+  void Insert(double dist2, PointIndex id)
   {
     std::size_t place = this->Size;
     if (this->Size < this->Wanted)
@@ -129,7 +129,7 @@ private:
   std::size_t Size = 0;
   double Bound2 = std::numeric_limits<double>::infinity();
   double Dist2[MostWanted];
-  std::uint32_t Ids[MostWanted];
+  PointIndex Ids[MostWanted];
 };
 
 /** The closest so far, any number of them: a heap with the farthest on top. */
@@ -145,7 +145,7 @@ public:
   {
   }
   double GetBound2() const { return this->Bound2; }
-  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -195,7 +195,7 @@ public:
   {
   }
   double GetBound2() const { return this->Radius2; }
-  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -218,17 +218,17 @@ public:
   static constexpr bool HasFixedBall = true;
   static constexpr bool TakesWholeNodes = true;
 
-  AllWithin(double radius2, std::vector<std::uint32_t>& found)
+  AllWithin(double radius2, std::vector<PointIndex>& found)
     : Radius2(radius2)
     , Found(found)
   {
   }
   double GetBound2() const { return this->Radius2; }
-  void Add(const double* dist2, double, const std::uint32_t* ids, std::size_t count)
+  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     const std::size_t before = this->Found.size();
     this->Found.resize(before + count);
-    std::uint32_t* end = this->Found.data() + before;
+    PointIndex* end = this->Found.data() + before;
     for (std::size_t i = 0; i < count; ++i)
     {
       *end = ids[i];
@@ -236,14 +236,14 @@ public:
     }
     this->Found.resize(static_cast<std::size_t>(end - this->Found.data()));
   }
-  void AddAll(const std::uint32_t* ids, std::size_t count)
+  void AddAll(const PointIndex* ids, std::size_t count)
   {
     this->Found.insert(this->Found.end(), ids, ids + count);
   }
 
 private:
   double Radius2;
-  std::vector<std::uint32_t>& Found;
+  std::vector<PointIndex>& Found;
 };
 }
 

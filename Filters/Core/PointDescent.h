@@ -61,7 +61,7 @@ public:
   }
 
   /** Searches a leaf, given where its points begin and end. */
-  void ScanLeaf(std::uint32_t first, std::uint32_t last)
+  void ScanLeaf(PointIndex first, PointIndex last)
   {
     const std::size_t size = last - first;
     if (first == this->ScannedPoint || size == 0)
@@ -77,7 +77,7 @@ public:
       }
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
-    const std::uint32_t* ids = this->Tree.GetIds() + first;
+    const PointIndex* ids = this->Tree.GetIds() + first;
     double dist2[DistanceKernels<Dim, Real>::MostPoints];
     for (std::size_t done = 0; done < size; done += DistanceKernels<Dim, Real>::MostPoints)
     {
@@ -93,7 +93,7 @@ public:
   }
 
   /** From now on leaves out the leaf whose points begin there: it has been searched. */
-  void LeaveOutLeaf(std::uint32_t firstPoint) { this->ScannedPoint = firstPoint; }
+  void LeaveOutLeaf(PointIndex firstPoint) { this->ScannedPoint = firstPoint; }
   /** From now on leaves out a block: all of it has been searched. */
   void LeaveOutBlock(std::uint32_t block) { this->SearchedBlock = this->Tree.GetFork(block); }
 
@@ -112,7 +112,8 @@ private:
   using Key = MortonKey<Dim>;
   using Place = PlaceInBlock<Dim, Real>;
   static constexpr unsigned NumberOfOctants = Octree<Dim>::NumberOfOctants;
-  static constexpr std::uint32_t Nothing = ~std::uint32_t(0);
+  static constexpr PointIndex NoPoint = ~PointIndex(0);
+  static constexpr std::uint32_t NoBlock = ~std::uint32_t(0);
 
   Place GetPlace(const Cell<Dim>& inside, int depth) const
   {
@@ -219,7 +220,7 @@ private:
       const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
       if (place.GetFarthest2(this->Tree.GetChildBoxes(number), octant) < reach2)
       {
-        const std::uint32_t first = block.FirstPoint[octant];
+        const PointIndex first = block.FirstPoint[octant];
         this->Points.AddAll(this->Tree.GetIds() + first, block.FirstPoint[octant + 1] - first);
         octants &= ~(1U << octant);
       }
@@ -232,8 +233,8 @@ private:
   const Position<Dim>& PlaceInRoot;
   Collector& Points;
   Count& Examined;
-  std::uint32_t ScannedPoint = Nothing;  ///< The leaf that begins there is left out,
-  std::uint32_t SearchedBlock = Nothing; ///< and this block.
+  PointIndex ScannedPoint = NoPoint;     ///< The leaf that begins there is left out,
+  std::uint32_t SearchedBlock = NoBlock; ///< and this block.
 };
 }
 

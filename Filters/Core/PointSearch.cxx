@@ -98,8 +98,7 @@ void PointSearch<Dim, Real>::FindWithin(
 }
 
 template <int Dim, typename Real>
-void PointSearch<Dim, Real>::FindWithin(
-  const Box<Dim>& box, std::vector<std::uint32_t>& found) const
+void PointSearch<Dim, Real>::FindWithin(const Box<Dim>& box, std::vector<PointIndex>& found) const
 {
   found.clear();
   bool isBox = this->Tree.GetNumberOfPoints() != 0;
@@ -115,7 +114,7 @@ void PointSearch<Dim, Real>::FindWithin(
 
 template <int Dim, typename Real>
 void PointSearch<Dim, Real>::FindWithin(
-  const Position<Dim>& x, double radius, std::vector<std::uint32_t>& found) const
+  const Position<Dim>& x, double radius, std::vector<PointIndex>& found) const
 {
   FindAllWithin<AllWithin, Dim, Real>(this->Tree, x, radius, found);
 }

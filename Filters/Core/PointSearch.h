@@ -14,7 +14,7 @@ namespace hashedoctree
 struct FoundPoint
 {
   double Dist2;
-  std::uint32_t Id;
+  PointIndex Id;
 
   /** Nearer first, equally near ones by id. */
   friend bool operator<(const FoundPoint& a, const FoundPoint& b)
@@ -62,7 +62,7 @@ public:
 
   /** The points within a radius, those at it included, in an order that depends on the points and
    * the position only. `found` is replaced. No point for a radius that is negative or no number. */
-  void FindWithin(const Position<Dim>& x, double radius, std::vector<std::uint32_t>& found) const;
+  void FindWithin(const Position<Dim>& x, double radius, std::vector<PointIndex>& found) const;
 
   /** The same with their squared distances. */
   void FindWithin(const Position<Dim>& x, double radius, std::vector<FoundPoint>& found) const;
@@ -70,7 +70,7 @@ public:
   /** The points in a box, those on its faces included, in an order that depends on the points and
    * the box only. `found` is replaced. No point for a box whose upper corner lies below its lower
    * one, or with a corner that is no number; corners may be infinite. */
-  void FindWithin(const Box<Dim>& box, std::vector<std::uint32_t>& found) const;
+  void FindWithin(const Box<Dim>& box, std::vector<PointIndex>& found) const;
 
 private:
   const PointTree<Dim, Real>& Tree;

@@ -39,8 +39,8 @@ PointSelection<Dim>::PointSelection(
 {
   if (points.Count > MaxNumberOfPoints)
   {
-    throw std::length_error(
-      "There are more points than 32-bit ranges can number; split the data set.");
+    throw std::length_error("There are more points than 32 bits can number; split the data set, or "
+                            "build with HASHEDOCTREE_64BIT_IDS.");
   }
   if (given)
   {

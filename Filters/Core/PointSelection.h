@@ -4,6 +4,7 @@
 
 #include "Execution.h"
 #include "Grid.h"
+#include "PointIndex.h"
 
 #include <cmath>
 #include <cstddef>
@@ -35,8 +36,6 @@ template <int Dim>
 class PointSelection
 {
 public:
-  /** More points than this cannot be numbered with the 32 bits of a tree's ranges. */
-  static constexpr std::size_t MaxNumberOfPoints = 0xfffffffeU;
   static constexpr std::size_t ChunkSize = 8192;
 
   /**

@@ -40,9 +40,21 @@ struct PointTree<Dim, Real>::CellBox
 template <int Dim, typename Real>
 PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
   const Options& options, const Execution& execution)
+  : PointTree(points, selection, options, execution,
+      Buffer<Real>(
+        Dim * selection.GetNumberOfPoints() + DistanceKernels<Dim, Real>::Padding, Memory::Zeroed),
+      nullptr)
+{
+}
+
+template <int Dim, typename Real>
+PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
+  const Options& options, const Execution& execution, Buffer<Real> own, Real* others)
   : Tree(points, selection, options, execution.Part(0.0, 0.6))
   , Starts(this->Tree, StartDepthOptions())
   , Ids(this->Tree.GetPointIds())
+  , OwnCoordinates(std::move(own))
+  , Coordinates(others == nullptr ? this->OwnCoordinates.GetData() : others)
 {
   this->CopyCoordinates(points, execution.Part(0.6, 0.8));
   this->MeasureBoxes(execution.Part(0.8, 0.9));
@@ -64,7 +76,7 @@ std::size_t PointTree<Dim, Real>::GetBytes() const
 {
   std::size_t bytes = this->Tree.GetTreeBytes() + this->Tree.GetOrderBytes() +
     this->OwnIds.GetBytes() + this->Boxes.GetBytes() + this->Forks.GetBytes() +
-    this->Coordinates.GetBytes();
+    this->OwnCoordinates.GetBytes();
   for (const Nested& nested : this->NestedTrees)
   {
     bytes += sizeof(Nested) + nested.Points.GetBytes();
@@ -75,11 +87,9 @@ std::size_t PointTree<Dim, Real>::GetBytes() const
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::CopyCoordinates(PointSpan<Dim, Real> points, const Execution& execution)
 {
-  this->Coordinates = Buffer<Real>(
-    Dim * this->GetNumberOfPoints() + DistanceKernels<Dim, Real>::Padding, Memory::Zeroed);
   if (!this->Tree.IsRootInternal())
   {
-    this->CopyLeaf(points, 0, static_cast<std::uint32_t>(this->GetNumberOfPoints()));
+    this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
     return;
   }
   execution.For(this->Tree.GetNumberOfInternalNodes(), Grain,
@@ -101,10 +111,10 @@ void PointTree<Dim, Real>::CopyCoordinates(PointSpan<Dim, Real> points, const Ex
 
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::CopyLeaf(
-  PointSpan<Dim, Real> points, std::uint32_t firstPoint, std::uint32_t lastPoint)
+  PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint)
 {
   const std::size_t count = lastPoint - firstPoint;
-  Real* leaf = this->Coordinates.GetData() + Dim * static_cast<std::size_t>(firstPoint);
+  Real* leaf = this->Coordinates + Dim * static_cast<std::size_t>(firstPoint);
   for (std::size_t i = 0; i < count; ++i)
   {
     const Real* x = points[this->GetIds()[firstPoint + i]];
@@ -118,7 +128,7 @@ void PointTree<Dim, Real>::CopyLeaf(
 /** The cells of MaxDepth that the points of a leaf lie in. It must not be empty. */
 template <int Dim, typename Real>
 typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::MeasureLeaf(
-  std::uint32_t firstPoint, std::uint32_t lastPoint) const
+  PointIndex firstPoint, PointIndex lastPoint) const
 {
   const Grid<Dim>& grid = this->Tree.GetGrid();
   const std::size_t count = lastPoint - firstPoint;
@@ -241,10 +251,10 @@ void PointTree<Dim, Real>::BuildNestedIn(
   typename Octree<Dim>::Node leaf, PointSpan<Dim, Real> points, const Execution& execution)
 {
   const std::size_t count = leaf.GetNumberOfPoints();
-  const std::uint32_t* ids = this->Ids + leaf.FirstPoint;
+  const PointIndex* ids = this->Ids + leaf.FirstPoint;
   const Real* first = points[ids[0]];
   if (std::all_of(ids, ids + count,
-        [&](std::uint32_t id) { return std::equal(first, first + Dim, points[id]); }))
+        [&](PointIndex id) { return std::equal(first, first + Dim, points[id]); }))
   {
     return;
   }
@@ -257,17 +267,18 @@ void PointTree<Dim, Real>::BuildNestedIn(
   const PointSpan<Dim, Real> span{ own.GetData(), count };
   const PointSelection<Dim> selection(span, {}, execution.Part(0.0, 0.1));
   this->NestedTrees.push_back({ leaf.FirstPoint,
-    PointTree(span, selection, this->Tree.GetOptions(), execution.Part(0.1, 1.0)) });
+    PointTree(span, selection, this->Tree.GetOptions(), execution.Part(0.1, 1.0), Buffer<Real>(),
+      this->Coordinates + Dim * static_cast<std::size_t>(leaf.FirstPoint)) });
   this->NestedTrees.back().Points.TranslateIds(ids);
 }
 
 /** From places in a list of ids to the ids that stand there. */
 template <int Dim, typename Real>
-void PointTree<Dim, Real>::TranslateIds(const std::uint32_t* ids)
+void PointTree<Dim, Real>::TranslateIds(const PointIndex* ids)
 {
-  Buffer<std::uint32_t> translated(this->GetNumberOfPoints());
+  Buffer<PointIndex> translated(this->GetNumberOfPoints());
   std::transform(this->Ids, this->Ids + this->GetNumberOfPoints(), translated.GetData(),
-    [ids](std::uint32_t place) { return ids[place]; });
+    [ids](PointIndex place) { return ids[place]; });
   this->OwnIds = std::move(translated);
   this->Ids = this->OwnIds.GetData();
   for (Nested& nested : this->NestedTrees)
@@ -277,10 +288,10 @@ void PointTree<Dim, Real>::TranslateIds(const std::uint32_t* ids)
 }
 
 template <int Dim, typename Real>
-const PointTree<Dim, Real>* PointTree<Dim, Real>::FindNested(std::uint32_t firstPoint) const
+const PointTree<Dim, Real>* PointTree<Dim, Real>::FindNested(PointIndex firstPoint) const
 {
   const auto nested = std::lower_bound(this->NestedTrees.begin(), this->NestedTrees.end(),
-    firstPoint, [](const Nested& tree, std::uint32_t first) { return tree.FirstPoint < first; });
+    firstPoint, [](const Nested& tree, PointIndex first) { return tree.FirstPoint < first; });
   return nested != this->NestedTrees.end() && nested->FirstPoint == firstPoint ? &nested->Points
                                                                                : nullptr;
 }

@@ -47,12 +47,12 @@ public:
   /** Coordinates of the points of a leaf, given where its range begins: axis after axis, so that
    * the points of a leaf are near each other in memory and of one kind in a vector. No meaning for
    * a leaf with a nested tree. */
-  const Real* GetLeafCoordinates(std::uint32_t firstPoint) const
+  const Real* GetLeafCoordinates(PointIndex firstPoint) const
   {
-    return this->Coordinates.GetData() + Dim * static_cast<std::size_t>(firstPoint);
+    return this->Coordinates + Dim * static_cast<std::size_t>(firstPoint);
   }
   /** Ids of all points in Morton order, equal keys by id. */
-  const std::uint32_t* GetIds() const { return this->Ids; }
+  const PointIndex* GetIds() const { return this->Ids; }
   const ChildBoxes<Dim>& GetChildBoxes(std::size_t block) const { return this->Boxes[block]; }
   /** What measures the distances to coordinates and boxes. */
   const DistanceKernels<Dim, Real>& GetKernels() const { return *this->Kernels; }
@@ -67,7 +67,7 @@ public:
   std::uint32_t GetFork(std::size_t block) const { return this->Forks[block]; }
 
   /** The nested tree of a leaf, given where its range begins, or null. O(log nested trees). */
-  const PointTree* FindNested(std::uint32_t firstPoint) const;
+  const PointTree* FindNested(PointIndex firstPoint) const;
 
   /** Bytes of all of it: tree, order, boxes, coordinates and nested trees. */
   std::size_t GetBytes() const;
@@ -76,22 +76,28 @@ private:
   struct Nested;
   struct CellBox;
 
+  /** With the coordinates in memory of its own, or in that of others if any, which ends no sooner.
+   */
+  PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
+    const Options& options, const Execution& execution, Buffer<Real> own, Real* others);
+
   void CopyCoordinates(PointSpan<Dim, Real> points, const Execution& execution);
-  void CopyLeaf(PointSpan<Dim, Real> points, std::uint32_t firstPoint, std::uint32_t lastPoint);
+  void CopyLeaf(PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint);
   void MeasureBoxes(const Execution& execution);
   void MeasureBoxesOf(std::size_t block, Buffer<CellBox>& blockBoxes);
-  CellBox MeasureLeaf(std::uint32_t firstPoint, std::uint32_t lastPoint) const;
+  CellBox MeasureLeaf(PointIndex firstPoint, PointIndex lastPoint) const;
   std::size_t FindFirstBlockAt(int depth) const;
   void BuildNested(PointSpan<Dim, Real> points, const Execution& execution);
   void BuildNestedIn(
     typename Octree<Dim>::Node leaf, PointSpan<Dim, Real> points, const Execution& execution);
-  void TranslateIds(const std::uint32_t* ids);
+  void TranslateIds(const PointIndex* ids);
 
   Octree<Dim> Tree;
   StartDepths<Dim> Starts;
-  const std::uint32_t* Ids = nullptr; ///< The tree's, or those in OwnIds.
-  Buffer<std::uint32_t> OwnIds;       ///< Of a nested tree: ids in the whole input.
-  Buffer<Real> Coordinates;
+  const PointIndex* Ids = nullptr; ///< The tree's, or those in OwnIds.
+  Buffer<PointIndex> OwnIds;       ///< Of a nested tree: ids in the whole input.
+  Buffer<Real> OwnCoordinates;
+  Real* Coordinates = nullptr; ///< Own ones; a nested tree's are in place of its leaf's.
   Buffer<ChildBoxes<Dim>> Boxes;
   Buffer<std::uint32_t> Forks;
   std::vector<Nested> NestedTrees; ///< By FirstPoint.
@@ -102,7 +108,7 @@ private:
 template <int Dim, typename Real>
 struct PointTree<Dim, Real>::Nested
 {
-  std::uint32_t FirstPoint; ///< Where the leaf's range begins.
+  PointIndex FirstPoint; ///< Where the leaf's range begins.
   PointTree Points;
 };
 }

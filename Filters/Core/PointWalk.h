@@ -40,7 +40,7 @@ public:
     if (!this->Nodes.IsRootInternal())
     {
       this->Examined.AddNode();
-      this->Below.ScanLeaf(0, static_cast<std::uint32_t>(this->Nodes.GetNumberOfPoints()));
+      this->Below.ScanLeaf(0, static_cast<PointIndex>(this->Nodes.GetNumberOfPoints()));
       return;
     }
     const Key key = Key::FromCell(this->Ball.GetHome(), Key::MaxDepth);

@@ -67,7 +67,7 @@ TYPED_TEST(TestDirectSearch, EveryPointIsFoundInItsLeaf)
     ForEachLeaf(made.Tree,
       [&](const auto& leaf)
       {
-        for (std::uint32_t place = leaf.FirstPoint; place < leaf.LastPoint; ++place)
+        for (PointIndex place = leaf.FirstPoint; place < leaf.LastPoint; ++place)
         {
           const float* x = sample.GetSpan()[made.Tree.GetPointIds()[place]];
           const MortonKey<dim> key = made.Tree.GetGrid().GetKey(x);

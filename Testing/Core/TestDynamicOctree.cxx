@@ -169,7 +169,7 @@ struct ChangingTree
       [&](const auto& leaf)
       {
         std::vector<std::uint32_t>& here = expected[leaf.NodeKey.GetValue()];
-        for (std::uint32_t place = leaf.FirstPoint; place < leaf.LastPoint; ++place)
+        for (PointIndex place = leaf.FirstPoint; place < leaf.LastPoint; ++place)
         {
           here.push_back(ids[rebuilt.GetPointIds()[place]]);
         }

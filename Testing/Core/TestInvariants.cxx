@@ -20,7 +20,7 @@ protected:
   {
     return const_cast<Octree<3>::Block&>(this->Tree.GetBlock(block));
   }
-  std::uint32_t* GetIds() { return const_cast<std::uint32_t*>(this->Tree.GetPointIds()); }
+  PointIndex* GetIds() { return const_cast<PointIndex*>(this->Tree.GetPointIds()); }
   NodeTable<Octree<3>::Entry>& GetTable()
   {
     return const_cast<NodeTable<Octree<3>::Entry>&>(this->Tree.GetTable());

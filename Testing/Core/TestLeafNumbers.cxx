@@ -22,7 +22,7 @@ TYPED_TEST(TestLeafNumbers, AreThePlacesInTheListOfLeaves)
     SCOPED_TRACE(sample.Name);
     const SampleTree<dim, double> made(sample);
     const LeafNumbers<dim> numbers(made.Tree);
-    EXPECT_EQ(numbers.GetBytes(), 4 * made.Tree.GetNumberOfInternalNodes());
+    EXPECT_EQ(numbers.GetBytes(), sizeof(PointIndex) * made.Tree.GetNumberOfInternalNodes());
     if (!made.Tree.IsRootInternal())
     {
       continue; // No block describes the root.

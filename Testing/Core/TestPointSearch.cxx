@@ -92,7 +92,7 @@ protected:
 
     const double radius =
       std::sqrt(all[this->Random() % std::min<std::size_t>(60, all.size())].Dist2);
-    std::vector<std::uint32_t> within;
+    std::vector<PointIndex> within;
     search.FindWithin(x, radius, within);
     std::vector<std::int64_t> found(within.begin(), within.end());
     std::sort(found.begin(), found.end());
@@ -121,7 +121,7 @@ protected:
     {
       box.Lower[this->Random() % Dim] = -INFINITY;
     }
-    std::vector<std::uint32_t> within{ 7 };
+    std::vector<PointIndex> within{ 7 };
     PointSearch<Dim, Real>(tree).FindWithin(box, within);
     std::vector<std::int64_t> found(within.begin(), within.end());
     std::sort(found.begin(), found.end());
@@ -232,7 +232,7 @@ TEST(TestPointSearchFacts, NothingToFind)
     std::vector<FoundPoint> few{ closest };
     search.FindClosest(x, 5, few);
     EXPECT_TRUE(few.empty());
-    std::vector<std::uint32_t> within{ 7 };
+    std::vector<PointIndex> within{ 7 };
     search.FindWithin(x, 10.0, within);
     EXPECT_TRUE(within.empty());
   };
@@ -247,7 +247,7 @@ TEST(TestPointSearchFacts, NothingToFind)
   std::vector<FoundPoint> few{ closest };
   search.FindClosest(inside, 0, few);
   EXPECT_TRUE(few.empty());
-  std::vector<std::uint32_t> within{ 7 };
+  std::vector<PointIndex> within{ 7 };
   search.FindWithin(inside, -1.0, within);
   EXPECT_TRUE(within.empty());
   search.FindWithin(inside, NAN, within);

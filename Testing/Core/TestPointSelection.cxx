@@ -88,7 +88,7 @@ TEST(TestPointSelectionFacts, BadBoxesAreRefused)
 TEST(TestPointSelectionFacts, TooManyPointsAreRefused)
 {
   const float x = 0.0F;
-  const PointSpan<1, float> points{ &x, PointSelection<1>::MaxNumberOfPoints + 1 };
+  const PointSpan<1, float> points{ &x, MaxNumberOfPoints + 1 };
   EXPECT_THROW(PointSelection<1>(points, {}, Execution()), std::length_error);
 }
 

@@ -37,9 +37,9 @@ public:
     this->Search.FindClosest(x, count, found);
     return found;
   }
-  std::vector<std::uint32_t> FindWithin(const Position<3>& x, double radius) const
+  std::vector<PointIndex> FindWithin(const Position<3>& x, double radius) const
   {
-    std::vector<std::uint32_t> found{ 0 };
+    std::vector<PointIndex> found{ 0 };
     this->Search.FindWithin(x, radius, found);
     return found;
   }
@@ -50,9 +50,9 @@ public:
     std::sort(found.begin(), found.end());
     return found;
   }
-  std::vector<std::uint32_t> FindWithin(const Box<3>& box) const
+  std::vector<PointIndex> FindWithin(const Box<3>& box) const
   {
-    std::vector<std::uint32_t> found{ 0 };
+    std::vector<PointIndex> found{ 0 };
     this->Search.FindWithin(box, found);
     return found;
   }
@@ -125,19 +125,19 @@ private:
   }
 
   /** Points in no order, in the oracle's order; those that it has not, or only once, come last. */
-  Points PutInOrder(std::vector<std::uint32_t> ids) const
+  Points PutInOrder(std::vector<PointIndex> ids) const
   {
     Points points;
     for (const OracleFound& point : this->All)
     {
-      const auto id = std::find(ids.begin(), ids.end(), static_cast<std::uint32_t>(point.Id));
+      const auto id = std::find(ids.begin(), ids.end(), static_cast<PointIndex>(point.Id));
       if (id != ids.end())
       {
         points.push_back({ point.Dist2, *id });
         ids.erase(id);
       }
     }
-    for (const std::uint32_t id : ids)
+    for (const PointIndex id : ids)
     {
       points.push_back({ -1.0, id });
     }
@@ -149,7 +149,8 @@ private:
   {
     count = std::min(count, this->All.size());
     std::size_t same = 0;
-    while (same < std::min(found.size(), count) && found[same].Id == this->All[same].Id &&
+    while (same < std::min(found.size(), count) &&
+      static_cast<std::int64_t>(found[same].Id) == this->All[same].Id &&
       found[same].Dist2 == this->All[same].Dist2)
     {
       ++same;

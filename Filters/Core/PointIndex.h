@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_PointIndex_h
+#define hashedoctree_PointIndex_h
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace hashedoctree
+{
+/** The id of a point, or its place in Morton order. 32 bits, which are half the memory and enough
+ * for what one machine mostly holds; 64 in a build with HASHEDOCTREE_64BIT_IDS. */
+#ifdef HASHEDOCTREE_64BIT_IDS
+using PointIndex = std::uint64_t;
+#else
+using PointIndex = std::uint32_t;
+#endif
+
+/** More points than this cannot be numbered: the greatest index stands for none. */
+constexpr std::size_t MaxNumberOfPoints = std::numeric_limits<PointIndex>::max() - 1;
+}
+
+#endif
