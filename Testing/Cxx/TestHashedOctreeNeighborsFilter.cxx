@@ -320,6 +320,14 @@ double CountExaminedNodes(TestedNeighborsFilter& filter, const hashedoctree::Oct
   return static_cast<double>(count.Nodes);
 }
 
+/** Side of the query leaf. */
+double GetQuerySide(TestedNeighborsFilter& filter)
+{
+  double bounds[6];
+  filter.GetCells()->GetCellBounds(0, bounds);
+  return bounds[1] - bounds[0];
+}
+
 std::vector<std::int64_t> GetKeys(TestedNeighborsFilter& filter)
 {
   std::vector<std::int64_t> keys;
@@ -334,36 +342,50 @@ std::vector<std::int64_t> GetKeys(TestedNeighborsFilter& filter)
 TEST(TestHashedOctreeNeighborsFilter, StartDepthsChangeTheCostNotTheNeighbors)
 {
   using namespace hashedoctree;
-  const std::vector<double> coordinates = MakeSpherePoints<3, double>(300, 84);
+  const std::vector<double> coordinates = MakeClusteredPoints<3, double>(300, 84);
   const PointSpan<3, double> span{ coordinates.data(), coordinates.size() / 3 };
   const Octree<3> tree(
     span, PointSelection<3>(span, std::nullopt, Execution()), Octree<3>::Options(), Execution());
   TestedFilter octree(coordinates);
   TestedNeighborsFilter filter(coordinates);
-  filter->SetCenter(coordinates[0], coordinates[1], coordinates[2]);
-  filter->SetRadius(0.3);
   octree->SetFixedStartDepth(11);
   filter->SetFixedStartDepth(11);
-  std::map<int, std::set<std::vector<std::int64_t>>> keys;
-  std::set<double> costs;
-  for (int run = 0; run < 24; ++run)
+  std::map<std::pair<int, int>, std::set<std::vector<std::int64_t>>> keys;
+  std::map<std::pair<int, int>, std::set<double>> costs;
+  for (int model = 0; model < 4; ++model)
   {
-    const int mode = run % 2;
-    filter->SetSearchMode(mode);
-    filter->SetStartDepthModel(run / 2 % 4);
-    octree->SetStartDepthModel(run / 2 % 4);
-    filter->SetFrequencyModel(run / 8);
-    octree->SetFrequencyModel(run / 8);
-    filter.Update();
-    octree.Update();
-    EXPECT_EQ(filter.GetFieldValue("StartDepth"), octree.GetFieldValue("StartDepth"));
-    EXPECT_EQ(filter.GetFieldValue("ExaminedNodes"), CountExaminedNodes(filter, tree));
-    costs.insert(filter.GetFieldValue("ExaminedNodes"));
-    keys[mode].insert(GetKeys(filter));
+    for (int frequency = 0; frequency < 3; ++frequency)
+    {
+      filter->SetStartDepthModel(model);
+      octree->SetStartDepthModel(model);
+      filter->SetFrequencyModel(frequency);
+      octree->SetFrequencyModel(frequency);
+      octree.Update();
+      for (int run = 0; run < 40; ++run)
+      {
+        const std::pair<int, int> query{ run % 2, run / 2 };
+        filter->SetSearchMode(query.first);
+        filter->SetCenter(coordinates.data() + 3 * query.second);
+        if (query.first == Filter::InRadius)
+        {
+          filter->SetRadius(0.7 * GetQuerySide(filter)); // The leaf is that of the run before.
+        }
+        filter.Update();
+        ASSERT_EQ(filter.GetFieldValue("StartDepth"), octree.GetFieldValue("StartDepth"));
+        ASSERT_EQ(filter.GetFieldValue("ExaminedNodes"), CountExaminedNodes(filter, tree));
+        keys[query].insert(GetKeys(filter));
+        costs[query].insert(filter.GetFieldValue("ExaminedNodes"));
+      }
+    }
   }
-  EXPECT_GT(costs.size(), 2U);
-  EXPECT_EQ(keys[Filter::Adjacent].size(), 1U);
-  EXPECT_EQ(keys[Filter::InRadius].size(), 1U);
+  int changes[2] = { 0, 0 };
+  for (const auto& [query, found] : keys)
+  {
+    EXPECT_EQ(found.size(), 1U);
+    changes[query.first] += costs[query].size() > 1 ? 1 : 0;
+  }
+  EXPECT_GT(changes[Filter::Adjacent], 0);
+  EXPECT_GT(changes[Filter::InRadius], 0);
 }
 
 TEST(TestHashedOctreeNeighborsFilter, TreeOptionsAreThoseOfTheOctreeFilter)
