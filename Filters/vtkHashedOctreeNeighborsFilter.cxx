@@ -106,7 +106,9 @@ public:
     }
     if (this->Self->SearchMode == InRadius && !(this->Self->Radius >= 0.0))
     {
-      throw std::invalid_argument("Radius is negative or no number; give 0 or more.");
+      std::ostringstream problem;
+      problem << "Radius is " << this->Self->Radius << "; give 0 or more.";
+      throw std::invalid_argument(problem.str());
     }
   }
 

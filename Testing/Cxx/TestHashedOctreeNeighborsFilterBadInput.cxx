@@ -3,6 +3,7 @@
 #include "SameOutputs.h"
 #include "TestedNeighborsFilter.h"
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -98,7 +99,7 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, BadRadiiAreAnErrorWhereTheyAreUsed
     filter->SetRadius(radius);
     ExpectToWorkAgain(filter);
     filter->SetSearchMode(Filter::InRadius);
-    filter.UpdateInError("Radius");
+    filter.UpdateInError("Radius is " + std::string(std::isnan(radius) ? "nan" : "-"));
     ExpectToWorkAgain(filter);
   }
 }
