@@ -20,13 +20,6 @@ void ExpectToWorkAgain(TestedFilter& filter)
   UpdateAndExpectOctree(filter, coordinates);
   EXPECT_EQ(filter.Warnings, std::vector<std::string>());
 }
-
-void ExpectWarning(TestedFilter& filter, const std::string& words)
-{
-  ASSERT_EQ(filter.Warnings.size(), 1U);
-  EXPECT_NE(filter.Warnings[0].find(words), std::string::npos) << filter.Warnings[0];
-  filter.Warnings.clear();
-}
 }
 
 TEST(TestHashedOctreeFilterBadInput, NoPointsAreAnError)
@@ -56,7 +49,7 @@ TEST(TestHashedOctreeFilterBadInput, NoFinitePointIsAnError)
 {
   TestedFilter filter({ NotANumber, 0, 0, 0, Infinity, 0, 0, 0, -Infinity });
   filter->Update();
-  ExpectWarning(filter, "3 of 3 points");
+  filter.ExpectWarning("3 of 3 points");
   EXPECT_EQ(filter.Errors.size(), 1U);
   EXPECT_NE(filter.Errors.at(0).find("finite"), std::string::npos) << filter.Errors[0];
   filter.ExpectEmptyOutputs();
@@ -97,7 +90,7 @@ TEST(TestHashedOctreeFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarn
     TestedFilter filter;
     filter->SetInputData(MakePolyData(all, type));
     filter.Update();
-    ExpectWarning(filter, "25 of 525 points");
+    filter.ExpectWarning("25 of 525 points");
     EXPECT_EQ(filter.GetFieldValue("SkippedPoints"), 25);
     EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 0);
     ExpectOctree(filter, ExpectedOctree(finite));
@@ -197,6 +190,6 @@ TEST(TestHashedOctreeFilterBadInput, CoordinatesWithoutAFiniteExtentAreSkipped)
   const double most = std::numeric_limits<double>::max();
   TestedFilter filter({ -most, 0, 0, most, 0, 0, 1, 2, 3, 4, 5, 6 });
   filter.Update();
-  ExpectWarning(filter, "2 of 4 points");
+  filter.ExpectWarning("2 of 4 points");
   ExpectOctree(filter, ExpectedOctree({ 1, 2, 3, 4, 5, 6 }));
 }

@@ -2,7 +2,7 @@
 """The Python package, without ParaView's shells and without the plugin."""
 import sys
 
-from hashedoctree import vtkHashedOctreeFilter
+from hashedoctree import vtkHashedOctreeFilter, vtkHashedOctreeNeighborsFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 assert "paraview" not in sys.modules
@@ -27,3 +27,13 @@ assert histogram.GetColumnByName("Points").GetValue(0) == 0
 octree.SetOutputType(vtkHashedOctreeFilter.Outlines)
 octree.Update()
 assert octree.GetOutputDataObject(0).GetClassName() == "vtkPolyData"
+
+neighbors = vtkHashedOctreeNeighborsFilter()
+neighbors.SetInputConnection(sphere.GetOutputPort())
+neighbors.SetMaxDepth(4)
+neighbors.SetCenter(sphere.GetOutput().GetPoint(0))
+neighbors.SetSearchMode(vtkHashedOctreeNeighborsFilter.InRadius)
+neighbors.SetRadius(float("inf"))
+neighbors.Update()
+# All leaves, the query leaf first.
+assert neighbors.GetOutputDataObject(0).GetNumberOfCells() == cells.GetNumberOfCells()

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHashedOctreeNeighborsFilter.h"
+
+#include "AdjacentSearch.h"
+#include "AlgorithmProblems.h"
+#include "FieldValue.h"
+#include "InRadiusSearch.h"
+#include "OctreeCells.h"
+#include "OctreePass.h"
+
+#include "vtkCellData.h"
+#include "vtkDataObjectTree.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+using namespace hashedoctree;
+
+vtkStandardNewMacro(vtkHashedOctreeNeighborsFilter);
+
+namespace
+{
+using Node = Octree<3>::Node;
+using Neighbors = std::vector<hashedoctree::Neighbor<3>>;
+
+int GetCase(NeighborCase neighborCase)
+{
+  switch (neighborCase)
+  {
+    case NeighborCase::Leaf:
+      return vtkHashedOctreeNeighborsFilter::SameDepth;
+    case NeighborCase::Descended:
+      return vtkHashedOctreeNeighborsFilter::Descended;
+    default:
+      return vtkHashedOctreeNeighborsFilter::Above;
+  }
+}
+
+/** The query leaf, then its neighbours. */
+Buffer<Node> ListNodes(const Octree<3>& tree, const Node& query, const Neighbors& neighbors)
+{
+  Buffer<Node> nodes(1 + neighbors.size());
+  nodes[0] = query;
+  for (std::size_t i = 0; i < neighbors.size(); ++i)
+  {
+    nodes[1 + i] = tree.GetChild(neighbors[i].ParentBlock, neighbors[i].Key.GetOctant());
+  }
+  return nodes;
+}
+
+/** Cell arrays Role and Case (active), and the number of neighbours of each case. */
+void AddNeighborArrays(vtkUnstructuredGrid* output, const Neighbors& neighbors)
+{
+  using Filter = vtkHashedOctreeNeighborsFilter;
+  vtkNew<vtkIntArray> roles;
+  roles->SetName("Role");
+  roles->InsertNextValue(Filter::Query);
+  vtkNew<vtkIntArray> cases;
+  cases->SetName("Case");
+  cases->InsertNextValue(Filter::QueryLeaf);
+  std::array<vtkIdType, 4> counts{};
+  for (const auto& neighbor : neighbors)
+  {
+    const int neighborCase = GetCase(neighbor.Case);
+    roles->InsertNextValue(Filter::Neighbor);
+    cases->InsertNextValue(neighborCase);
+    ++counts[static_cast<std::size_t>(neighborCase)];
+  }
+  output->GetCellData()->AddArray(roles);
+  output->GetCellData()->AddArray(cases);
+  output->GetCellData()->SetActiveScalars("Case");
+  vtkFieldData* fieldData = output->GetFieldData();
+  AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfSameDepthNeighbors", counts[Filter::SameDepth]);
+  AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfDescendedNeighbors", counts[Filter::Descended]);
+  AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfAboveNeighbors", counts[Filter::Above]);
+}
+}
+
+/** What one run of RequestData makes of each tree. */
+class vtkHashedOctreeNeighborsFilter::Run
+{
+public:
+  explicit Run(vtkHashedOctreeNeighborsFilter* filter)
+    : Self(filter)
+    , Reading(filter->IncludeEmptyLeaves ? EmptyOctants::Leaves : EmptyOctants::Missing)
+  {
+  }
+
+  /** Throws std::invalid_argument. */
+  void RequireQuery() const
+  {
+    const double* x = this->Self->Center;
+    if (!this->Self->UseLeafKey && !IsFinite(Position<3>{ x[0], x[1], x[2] }))
+    {
+      throw std::invalid_argument("Center has a coordinate that is not finite; give a position.");
+    }
+    if (this->Self->SearchMode == InRadius && !(this->Self->Radius >= 0.0))
+    {
+      std::ostringstream problem;
+      problem << "Radius is " << this->Self->Radius << "; give 0 or more.";
+      throw std::invalid_argument(problem.str());
+    }
+  }
+
+  /** The cells for one tree; nothing where it has no query leaf. */
+  OctreePass::Outputs Process(const PointsOctree& octree, const Execution& execution)
+  {
+    const Octree<3>& tree = octree.Tree;
+    const int startDepth = this->GetStartDepth(tree);
+    ++this->Trees;
+    const std::optional<Node> query = this->FindQuery(tree, startDepth);
+    if (!query)
+    {
+      return {};
+    }
+    ++this->TreesWithQuery;
+
+    Neighbors neighbors;
+    NodeCount examined;
+    if (this->Self->SearchMode == InRadius)
+    {
+      FindLeavesInRadius(
+        tree, query->NodeKey, this->Self->Radius, startDepth, neighbors, examined, this->Reading);
+    }
+    else
+    {
+      FindAdjacentLeaves(tree, query->NodeKey, startDepth, neighbors, examined, this->Reading);
+    }
+
+    vtkNew<vtkUnstructuredGrid> cells;
+    const Buffer<Node> nodes = ListNodes(tree, *query, neighbors);
+    OctreeCells(tree, startDepth, nodes)
+      .MakeVoxels(cells, execution.Part(OctreePass::BuildShare, 1.0));
+    AddNeighborArrays(cells, neighbors);
+    AddFieldValue<vtkIntArray>(cells->GetFieldData(), "StartDepth", startDepth);
+    AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "ExaminedNodes", examined.Nodes);
+    AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "SkippedPoints", octree.SkippedPoints);
+    return { cells.Get() };
+  }
+
+  /** Throws std::invalid_argument when no tree has the leaf of LeafKey, unless other pieces may
+   * have it; warns when trees have none at Center. */
+  void CheckQueryLeaves(bool isPiece) const
+  {
+    if (this->TreesWithQuery == this->Trees)
+    {
+      return;
+    }
+    if (!this->Self->UseLeafKey)
+    {
+      std::ostringstream where;
+      if (this->Trees > 1)
+      {
+        where << " of " << this->Trees - this->TreesWithQuery << " of " << this->Trees
+              << " octrees";
+      }
+      vtkWarningWithObjectMacro(this->Self,
+        << "Center lies in an empty cell" << where.str()
+        << ", where there is no leaf; move it to points, or turn IncludeEmptyLeaves on.");
+    }
+    else if (this->TreesWithQuery == 0 && !isPiece)
+    {
+      std::ostringstream problem;
+      problem << "LeafKey " << this->Self->LeafKey
+              << " names no leaf; give the MortonKey of one that vtkHashedOctreeFilter shows with "
+                 "the same properties.";
+      throw std::invalid_argument(problem.str());
+    }
+  }
+
+private:
+  int GetStartDepth(const Octree<3>& tree) const
+  {
+    const auto frequency = static_cast<hashedoctree::FrequencyModel>(this->Self->FrequencyModel);
+    return hashedoctree::GetStartDepth(GetDepthHistogram(tree.GetDepthCounts(), frequency, 3),
+      { static_cast<hashedoctree::StartDepthModel>(this->Self->StartDepthModel), frequency,
+        this->Self->FixedStartDepth });
+  }
+
+  std::optional<Node> FindQuery(const Octree<3>& tree, int startDepth) const
+  {
+    MortonKey<3> key(static_cast<std::uint64_t>(this->Self->LeafKey));
+    if (!this->Self->UseLeafKey)
+    {
+      key = FindLeaf(tree, tree.GetGrid().GetKey(this->Self->Center), startDepth).Key;
+    }
+    const std::optional<Node> node = tree.FindNode(key, this->Reading);
+    return node && !node->Internal ? node : std::nullopt;
+  }
+
+  vtkHashedOctreeNeighborsFilter* Self;
+  EmptyOctants Reading;
+  int Trees = 0;
+  int TreesWithQuery = 0;
+};
+
+int vtkHashedOctreeNeighborsFilter::FillInputPortInformation(
+  int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  return 1;
+}
+
+int vtkHashedOctreeNeighborsFilter::FillOutputPortInformation(
+  int vtkNotUsed(port), vtkInformation* info)
+{
+  // It depends on whether the input is composite.
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+int vtkHashedOctreeNeighborsFilter::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (input == nullptr)
+  {
+    return 0;
+  }
+  const int type =
+    vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType() : VTK_UNSTRUCTURED_GRID;
+  vtkDataObjectAlgorithm::SetOutputDataObject(
+    type, outputVector->GetInformationObject(0), /*exact=*/true);
+  return 1;
+}
+
+int vtkHashedOctreeNeighborsFilter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return RunReportingProblems(this, outputVector,
+    [&]
+    {
+      Run run(this);
+      run.RequireQuery();
+      Octree<3>::Options options;
+      options.MaxPointsPerLeaf = static_cast<std::size_t>(this->MaxPointsPerLeaf);
+      options.MaxDepth = this->MaxDepth;
+      OctreePass(this, options)
+        .Execute(vtkDataObject::GetData(inputVector[0]), outputVector,
+          [&run](const PointsOctree& octree, const Execution& execution)
+          { return run.Process(octree, execution); });
+      run.CheckQueryLeaves(OctreePass::IsPiece(outputVector));
+    });
+}
+
+void vtkHashedOctreeNeighborsFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
+  os << indent << "MaxDepth: " << this->MaxDepth << "\n";
+  os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
+  os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
+  os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
+  os << indent << "IncludeEmptyLeaves: " << this->IncludeEmptyLeaves << "\n";
+  os << indent << "SearchMode: " << this->SearchMode << "\n";
+  os << indent << "Center: " << this->Center[0] << ", " << this->Center[1] << ", "
+     << this->Center[2] << "\n";
+  os << indent << "UseLeafKey: " << this->UseLeafKey << "\n";
+  os << indent << "LeafKey: " << this->LeafKey << "\n";
+  os << indent << "Radius: " << this->Radius << "\n";
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHashedOctreeNeighborsFilter
+ * @brief   a leaf of the octree of a point set, and the leaves around it
+ *
+ * Builds the octree of the input's points as vtkHashedOctreeFilter does, takes one leaf of it, the
+ * query leaf, and searches for its neighbours ("Statistical optimization of octree searches",
+ * Castro, Lewiner, Lopes, Tavares, Bordignon, 2008, sections 3b and 3c; Figures 5 and 6). Where the
+ * start depth is close to the neighbours' depths the search examines few nodes.
+ *
+ * The query leaf is the one that holds the position Center or, with UseLeafKey, the one whose
+ * Morton key is LeafKey. Its neighbours are
+ * - Adjacent: the leaves that touch its cell by a face, an edge or a corner;
+ * - InRadius: the other leaves whose closed cells meet the closed ball of Radius around the center
+ *   of the QUERY LEAF, not around Center. A ball that does not reach the border of the query leaf
+ *   meets none; half the leaf's side is the least radius that does.
+ *
+ * Leaves are those that vtkHashedOctreeFilter shows with the same properties: without
+ * IncludeEmptyLeaves those with points only (the sparse reading). Then a position may lie in an
+ * empty cell, where there is no leaf (paper E4): the output is empty, with one warning. A leaf that
+ * is the root has no neighbours.
+ *
+ * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block.
+ *
+ * Output: vtkUnstructuredGrid of one VTK_VOXEL for each leaf, which share corners: the query leaf,
+ * then its neighbours in the order of the search, which depends on the tree and the query alone.
+ * Cell arrays: Depth, HitCost, RootCost, PointCount, MortonKey as those of vtkHashedOctreeFilter,
+ * and
+ * - Role (int): one of Roles;
+ * - Case (int, active scalars): one of Cases, how the depth of the neighbour compares with that of
+ *   the query leaf, which decides how the search gets to it.
+ *
+ * Field data, one value each: StartDepth, NumberOfSameDepthNeighbors,
+ * NumberOfDescendedNeighbors, NumberOfAboveNeighbors (neighbours of each case), ExaminedNodes
+ * (nodes that the search for the neighbours examined, as AdjacentSearch.h and InRadiusSearch.h
+ * count them; what finding the query leaf itself costs is its HitCost), SkippedPoints (not finite).
+ *
+ * Points with a coordinate that is not finite are left out with one warning. An input without
+ * points, or without one that can be used, is an error, but for an empty piece of a distributed
+ * data set or an empty block of a composite one. So is a LeafKey that names no leaf; of a composite
+ * data set the blocks that have no such leaf stay empty, and one must have it. A Center that is not
+ * finite is an error, and so is a Radius that is negative or NaN, where it is used. After an error
+ * the output is empty. The result does not depend on the number of threads (vtkSMPTools), which
+ * build the tree and fill arrays; the search takes one. Progress is reported and an abort heeded
+ * but for the search itself; an abort leaves the output empty. Of a distributed data set every
+ * process searches the tree of its own piece.
+ */
+
+#ifndef vtkHashedOctreeNeighborsFilter_h
+#define vtkHashedOctreeNeighborsFilter_h
+
+#include "HashedOctreeFiltersModule.h" // For export macro
+#include "vtkDataObjectAlgorithm.h"
+
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeNeighborsFilter : public vtkDataObjectAlgorithm
+{
+public:
+  static vtkHashedOctreeNeighborsFilter* New();
+  vtkTypeMacro(vtkHashedOctreeNeighborsFilter, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
+   * volume (paper section 4). */
+  enum FrequencyModels
+  {
+    Leaves = 0,
+    Points = 1,
+    Grid = 2
+  };
+
+  /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
+   * the nearest depth, at the root, or at FixedStartDepth. */
+  enum StartDepthModels
+  {
+    Median = 0,
+    Mean = 1,
+    Root = 2,
+    Fixed = 3
+  };
+
+  /** Which leaves are neighbours. */
+  enum SearchModes
+  {
+    Adjacent = 0,
+    InRadius = 1
+  };
+
+  /** The array Role. */
+  enum Roles
+  {
+    Query = 0,
+    Neighbor = 1
+  };
+
+  /** The array Case (paper sections 3b and 3c): the query leaf itself; a neighbour of its depth
+   * (case 1 of the paper); one deeper, below a node of that depth (case 2); one higher, found above
+   * a place where there is no node of that depth (case 3). */
+  enum Cases
+  {
+    QueryLeaf = 0,
+    SameDepth = 1,
+    Descended = 2,
+    Above = 3
+  };
+
+  ///@{
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
+  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaxPointsPerLeaf, int);
+  ///@}
+
+  ///@{
+  /** Depth below which nothing is split, in [0, 21]; default 21. */
+  vtkSetClampMacro(MaxDepth, int, 0, 21);
+  vtkGetMacro(MaxDepth, int);
+  ///@}
+
+  ///@{
+  /** One of FrequencyModels; default Leaves. */
+  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
+  vtkGetMacro(FrequencyModel, int);
+  ///@}
+
+  ///@{
+  /** One of StartDepthModels; default Median. It changes what a search costs, never what it finds.
+   */
+  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
+  vtkGetMacro(StartDepthModel, int);
+  ///@}
+
+  ///@{
+  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
+  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
+  vtkGetMacro(FixedStartDepth, int);
+  ///@}
+
+  ///@{
+  /** Whether octants without points are leaves, as query leaf and as neighbours. Default off. */
+  vtkSetMacro(IncludeEmptyLeaves, bool);
+  vtkGetMacro(IncludeEmptyLeaves, bool);
+  vtkBooleanMacro(IncludeEmptyLeaves, bool);
+  ///@}
+
+  ///@{
+  /** One of SearchModes; default Adjacent. */
+  vtkSetClampMacro(SearchMode, int, Adjacent, InRadius);
+  vtkGetMacro(SearchMode, int);
+  ///@}
+
+  ///@{
+  /** Position in world units whose leaf is the query leaf; default (0, 0, 0). Outside the root cube
+   * it stands for the cell nearest to it. Not used with UseLeafKey. */
+  vtkSetVector3Macro(Center, double);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /** Whether LeafKey gives the query leaf instead of Center. Default off. */
+  vtkSetMacro(UseLeafKey, bool);
+  vtkGetMacro(UseLeafKey, bool);
+  vtkBooleanMacro(UseLeafKey, bool);
+  ///@}
+
+  ///@{
+  /** Key of the query leaf, a value of the array MortonKey; default 1, the root. The keys of depth
+   * 21 are 2^63 and more: here they are the negative numbers with the same 64 bits. */
+  vtkSetMacro(LeafKey, vtkTypeInt64);
+  vtkGetMacro(LeafKey, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /** Radius of the ball of InRadius in world units; default 1. Not negative; may be infinite, which
+   * gives all leaves. Not used in mode Adjacent. */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+protected:
+  vtkHashedOctreeNeighborsFilter() = default;
+  ~vtkHashedOctreeNeighborsFilter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHashedOctreeNeighborsFilter(const vtkHashedOctreeNeighborsFilter&) = delete;
+  void operator=(const vtkHashedOctreeNeighborsFilter&) = delete;
+
+  class Run;
+
+  int MaxPointsPerLeaf = 1;
+  int MaxDepth = 21;
+  int FrequencyModel = Leaves;
+  int StartDepthModel = Median;
+  int FixedStartDepth = 0;
+  bool IncludeEmptyLeaves = false;
+  int SearchMode = Adjacent;
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  bool UseLeafKey = false;
+  vtkTypeInt64 LeafKey = 1;
+  double Radius = 1.0;
+};
+
+#endif

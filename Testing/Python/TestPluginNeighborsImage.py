@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The leaves around a leaf, coloured by case as in the paper's Figures 5 and 6: those that touch it,
+and those in a radius. The points lie in a plane, so that the octree looks like a quadtree from
+below."""
+import sys
+
+import octreetesting
+from paraview import simple, smtesting
+
+SIZE = [1000, 430]
+GREY, DARK, WHITE = [0.6] * 3, [0.15] * 3, [1.0] * 3
+CASES = [("Query leaf", [0.2, 0.2, 0.2]), ("Same depth", [0.35, 0.62, 0.88]),
+         ("Descended", [0.97, 0.8, 0.3]), ("Above", [0.88, 0.45, 0.35])]
+QUERY, RADIUS = [-0.68, 0.45, 0.0], 0.3  # where all cases occur
+smtesting.ProcessCommandLineArguments()
+view = simple.CreateView("RenderView")
+view.ViewSize = SIZE
+view.OrientationAxesVisibility = 0
+view.UseColorPaletteForBackground = 0
+view.Background = WHITE
+
+colors = simple.GetColorTransferFunction("Case")
+colors.InterpretValuesAsCategories = 1
+colors.Annotations = [text for case, (name, _) in enumerate(CASES) for text in (str(case), name)]
+colors.IndexedColors = [part for _, color in CASES for part in color]
+
+
+def show(source, kind, place, height):
+    """Shows a source in one color, so high above the rest as seen from below."""
+    shown = simple.Show(source, view)
+    shown.SetRepresentationType(kind)
+    shown.Position = [place, 0.0, -height]
+    shown.Ambient, shown.Diffuse = 1.0, 0.0
+    return shown
+
+
+# As many points on each ring: the nearer to the middle, the denser.
+disk = simple.Disk(InnerRadius=0.05, OuterRadius=1.0, RadialResolution=7,
+                   CircumferentialResolution=24)
+for mode, place in (("Adjacent", 1.1), ("InRadius", -1.1)):
+    octree = show(simple.HashedOctree(Input=disk, IncludeEmptyLeaves=1), "Surface With Edges",
+                  place, 0.0)
+    simple.ColorBy(octree, None)
+    octree.AmbientColor, octree.EdgeColor = WHITE, GREY
+
+    source = simple.HashedOctreeNeighbors(Input=disk, IncludeEmptyLeaves=1, SearchMode=mode,
+                                          Center=QUERY, Radius=RADIUS)
+    neighbors = simple.Show(source, view)
+    assert neighbors.Representation == "Surface With Edges", neighbors.Representation
+    assert list(neighbors.ColorArrayName) == ["CELLS", "Case"], neighbors.ColorArrayName
+    neighbors = show(source, "Surface With Edges", place, 0.01)
+    neighbors.EdgeColor = DARK
+
+    # A copy, since a view shows a source once.
+    points = show(simple.Transform(Input=disk), "Points", place, 0.02)
+    points.AmbientColor, points.PointSize = DARK, 4.0
+
+# The ball is around the center of the query leaf, not around the position.
+source.UpdatePipeline()
+bounds = octreetesting.fetch(source, 0).GetCell(0).GetBounds()
+center = [(bounds[2 * axis] + bounds[2 * axis + 1]) / 2 for axis in range(3)]
+ball = show(simple.Disk(InnerRadius=0.98 * RADIUS, OuterRadius=RADIUS,
+                        CircumferentialResolution=90), "Surface", 0.0, 0.03)
+ball.Position = [center[0] - 1.1, center[1], -0.03]
+ball.AmbientColor = DARK
+
+legend = simple.GetScalarBar(colors, view)
+legend.Title, legend.ComponentTitle = "Case", ""
+legend.TitleColor = legend.LabelColor = DARK
+legend.Visibility = 1
+simple.ResetCamera(view)
+view.CameraParallelProjection = 1
+view.CameraParallelScale = 1.1
+view.CameraPosition = [-0.4, 0.0, -9.0]
+view.CameraFocalPoint = [-0.4, 0.0, 0.0]
+view.CameraViewUp = [0.0, 1.0, 0.0]
+simple.Render(view)
+if not smtesting.DoRegressionTesting(view.SMProxy):
+    sys.exit("The picture differs from the baseline.")
