@@ -135,7 +135,8 @@ public:
   ///@}
 
   ///@{
-  /** Whether octants without points are leaves, as query leaf and as neighbours. Default off. */
+  /** Whether octants without points are leaves, as query leaf and as neighbours. Default on, as
+   * most positions of a sparse scan lie in empty leaves. */
   vtkSetMacro(IncludeEmptyLeaves, bool);
   vtkGetMacro(IncludeEmptyLeaves, bool);
   vtkBooleanMacro(IncludeEmptyLeaves, bool);
@@ -197,7 +198,7 @@ private:
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
-  bool IncludeEmptyLeaves = false;
+  bool IncludeEmptyLeaves = true;
   int SearchMode = Adjacent;
   double Center[3] = { 0.0, 0.0, 0.0 };
   bool UseLeafKey = false;

@@ -266,7 +266,6 @@ TEST(TestHashedOctreeNeighborsFilter, KeysOfTheLastDepthAreNegativeNumbers)
   // Equal points go down to the last depth, in the octants around the middle of the root.
   const std::vector<double> coordinates{ 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0, 0, 0, 1, 1, 1 };
   TestedNeighborsFilter filter(coordinates);
-  filter->IncludeEmptyLeavesOn();
   filter->SetCenter(0.25, 0.25, 0.25);
   filter.Update();
   EXPECT_EQ(filter.Get("Depth", 0), 21);
@@ -286,7 +285,6 @@ TEST(TestHashedOctreeNeighborsFilter, PositionsOutsideTheRootStandForTheNearestC
   const std::vector<double> coordinates = MakeUniformPoints<3, double>(60, 83);
   const ShownLeaves leaves(coordinates, true);
   TestedNeighborsFilter filter(coordinates);
-  filter->IncludeEmptyLeavesOn();
   const auto inside = [&](double x, double y, double z)
   {
     filter->SetCenter(x, y, z);

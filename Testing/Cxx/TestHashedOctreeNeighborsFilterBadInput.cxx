@@ -109,6 +109,7 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, KeysOfNoLeafAreAnError)
   // Leaves 8 and 15 hold the points, 9 to 14 are empty; the root is internal.
   const std::vector<double> coordinates{ 0, 0, 0, 1, 1, 1 };
   TestedNeighborsFilter filter(coordinates);
+  filter->IncludeEmptyLeavesOff();
   for (const vtkTypeInt64 key : { 1, 0, 2, 7, 9, 14, 16, 64, 120, -1 })
   {
     filter->UseLeafKeyOn();
@@ -131,6 +132,7 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, KeysOfNoLeafAreAnError)
 TEST(TestHashedOctreeNeighborsFilterBadInput, AnEmptyCellIsNoLeafOfASparseTree)
 {
   TestedNeighborsFilter filter({ 0, 0, 0, 1, 1, 1 });
+  filter->IncludeEmptyLeavesOff();
   filter->SetCenter(0.1, 0.1, 0.9);
   filter.Update();
   filter.ExpectWarning("empty cell, where");

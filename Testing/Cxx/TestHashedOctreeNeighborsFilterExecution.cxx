@@ -67,7 +67,6 @@ TEST(TestHashedOctreeNeighborsFilterExecution, RunsAgainWhenSomethingChangedOnly
   filter->SetSearchMode(Filter::InRadius);
   expectToRun();
   filter->SetCenter(0.25, 0.5, 0.75);
-  filter->IncludeEmptyLeavesOn();
   expectToRun();
   filter->SetLeafKey(filter.Get("MortonKey", 1));
   expectToRun();
@@ -86,7 +85,6 @@ TEST(TestHashedOctreeNeighborsFilterExecution, EachBlockHasItsQueryLeaf)
   blocks->SetBlock(2, MakePolyData(MakeUniformPoints<3, double>(60, 92)));
   TestedNeighborsFilter filter;
   filter->SetInputData(blocks);
-  filter->IncludeEmptyLeavesOn();
   filter->SetCenter(first[0], first[1], first[2]);
   filter.UpdateWithoutErrors();
   auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
@@ -97,7 +95,6 @@ TEST(TestHashedOctreeNeighborsFilterExecution, EachBlockHasItsQueryLeaf)
   {
     TestedNeighborsFilter single;
     single->SetInputData(blocks->GetBlock(block));
-    single->IncludeEmptyLeavesOn();
     single->SetCenter(first[0], first[1], first[2]);
     single.Update();
     ExpectSame(output->GetBlock(block), single.GetCells());

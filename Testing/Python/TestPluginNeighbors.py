@@ -40,7 +40,7 @@ assert groups == {"InteractiveSphere": "1", "InteractiveHandle": "0"}, groups
 # Values reach the class. At depth 1, key 15 is a leaf.
 octreetesting.check_values(neighbors, vtkHashedOctreeNeighborsFilter, {
     "MaxPointsPerLeaf": 2, "MaxDepth": 1, "FrequencyModel": "Grid", "StartDepthModel": "Fixed",
-    "FixedStartDepth": 3, "IncludeEmptyLeaves": 1, "SearchMode": "InRadius",
+    "FixedStartDepth": 3, "IncludeEmptyLeaves": 0, "SearchMode": "InRadius",
     "Center": [0.5, 0.0, 0.0], "Radius": 0.125, "UseLeafKey": 1, "LeafKey": 15})
 
 
