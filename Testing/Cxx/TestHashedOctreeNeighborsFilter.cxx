@@ -389,7 +389,7 @@ TEST(TestHashedOctreeNeighborsFilter, StartDepthsChangeTheCostNotTheNeighbors)
 TEST(TestHashedOctreeNeighborsFilter, TreeOptionsAreThoseOfTheOctreeFilter)
 {
   const std::vector<double> coordinates = MakeUniformPoints<3, double>(200, 85);
-  const ShownLeaves leaves(coordinates, false, 7);
+  const ShownLeaves leaves(coordinates, true, 7);
   TestedNeighborsFilter filter(coordinates);
   filter->SetMaxPointsPerLeaf(7);
   filter->SetCenter(leaves.GetCenter(3).data());

@@ -31,6 +31,7 @@ assert octree.GetOutputDataObject(0).GetClassName() == "vtkPolyData"
 neighbors = vtkHashedOctreeNeighborsFilter()
 neighbors.SetInputConnection(sphere.GetOutputPort())
 neighbors.SetMaxDepth(4)
+neighbors.IncludeEmptyLeavesOff()
 neighbors.SetCenter(sphere.GetOutput().GetPoint(0))
 neighbors.SetSearchMode(vtkHashedOctreeNeighborsFilter.InRadius)
 neighbors.SetRadius(float("inf"))
