@@ -104,28 +104,24 @@ constexpr std::array<unsigned, 16> OutlinePath{ 0, 1, 3, 2, 0, 4, 5, 1, 5, 7, 3,
 
 void OctreeCells::MakeVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
 {
-  const Nodes nodes = ListNodes(this->Tree, this->Options, execution.Part(0.0, 0.1));
-  const Execution rest = execution.Part(0.1, 1.0);
-  nodes.GetSize() <= MaxNodesWithShortIds
-    ? this->FillVoxels<vtkTypeInt32Array>(nodes, output, rest)
-    : this->FillVoxels<vtkTypeInt64Array>(nodes, output, rest);
+  this->Listed.GetSize() <= MaxNodesWithShortIds
+    ? this->FillVoxels<vtkTypeInt32Array>(output, execution)
+    : this->FillVoxels<vtkTypeInt64Array>(output, execution);
 }
 
 void OctreeCells::MakeOutlines(vtkPolyData* output, const Execution& execution) const
 {
-  const Nodes nodes = ListNodes(this->Tree, this->Options, execution.Part(0.0, 0.1));
-  const Execution rest = execution.Part(0.1, 1.0);
-  nodes.GetSize() <= MaxNodesWithShortIds
-    ? this->FillOutlines<vtkTypeInt32Array>(nodes, output, rest)
-    : this->FillOutlines<vtkTypeInt64Array>(nodes, output, rest);
+  this->Listed.GetSize() <= MaxNodesWithShortIds
+    ? this->FillOutlines<vtkTypeInt32Array>(output, execution)
+    : this->FillOutlines<vtkTypeInt64Array>(output, execution);
 }
 
 template <typename IdArray>
-void OctreeCells::FillVoxels(
-  const Nodes& nodes, vtkUnstructuredGrid* output, const Execution& execution) const
+void OctreeCells::FillVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
 {
+  const Nodes& nodes = this->Listed;
   constexpr std::size_t size = NodeCorners<3>::CornersOfNode;
-  this->AddArrays(nodes, output, execution.Part(0.0, 0.2));
+  this->AddArrays(output, execution.Part(0.0, 0.2));
   vtkNew<IdArray> connectivity;
   Resize(connectivity.Get(), nodes.GetSize() * size);
   const NodeCorners<3> corners(nodes, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
@@ -141,12 +137,12 @@ void OctreeCells::FillVoxels(
 }
 
 template <typename IdArray>
-void OctreeCells::FillOutlines(
-  const Nodes& nodes, vtkPolyData* output, const Execution& execution) const
+void OctreeCells::FillOutlines(vtkPolyData* output, const Execution& execution) const
 {
+  const Nodes& nodes = this->Listed;
   using Id = typename IdArray::ValueType;
   constexpr std::size_t size = OutlinePath.size();
-  this->AddArrays(nodes, output, execution.Part(0.0, 0.2));
+  this->AddArrays(output, execution.Part(0.0, 0.2));
   Buffer<Id> voxels(nodes.GetSize() * NodeCorners<3>::CornersOfNode);
   const NodeCorners<3> corners(nodes, voxels.GetData(), execution.Part(0.2, 0.7));
   output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.7, 0.8)));
@@ -167,8 +163,9 @@ void OctreeCells::FillOutlines(
 }
 
 template <typename DataSet>
-void OctreeCells::AddArrays(const Nodes& nodes, DataSet* output, const Execution& execution) const
+void OctreeCells::AddArrays(DataSet* output, const Execution& execution) const
 {
+  const Nodes& nodes = this->Listed;
   const std::size_t size = nodes.GetSize();
   const auto depths = MakeArray<vtkIntArray>("Depth", size);
   const auto hitCosts = MakeArray<vtkIntArray>("HitCost", size);

@@ -2,7 +2,7 @@
 #ifndef OctreeCells_h
 #define OctreeCells_h
 
-#include "NodeList.h"
+#include "Octree.h"
 
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -13,16 +13,18 @@ namespace hashedoctree
  * Nodes of an octree as VTK cells, one cell each in the order of the list, with shared corners in
  * double precision and the cell arrays Depth (active), HitCost, RootCost, PointCount and MortonKey.
  * HitCost and RootCost are the nodes that a counted search for the leaf examines from `startDepth`
- * and from the root; 0 on internal nodes, which no search ends at. Both throw Interrupted, with an
- * output that must be emptied. Private to the module.
+ * and from the root; 0 on internal nodes, which no search ends at. The tree and the list must
+ * outlive it. Both outputs throw Interrupted, and must then be emptied. Private to the module.
  */
 class OctreeCells
 {
 public:
-  OctreeCells(const Octree<3>& tree, int startDepth, NodeListOptions options)
+  using Nodes = Buffer<Octree<3>::Node>;
+
+  OctreeCells(const Octree<3>& tree, int startDepth, const Nodes& nodes)
     : Tree(tree)
     , StartDepth(startDepth)
-    , Options(options)
+    , Listed(nodes)
   {
   }
 
@@ -32,19 +34,16 @@ public:
   void MakeOutlines(vtkPolyData* output, const Execution& execution) const;
 
 private:
-  using Nodes = Buffer<Octree<3>::Node>;
-
   template <typename IdArray>
-  void FillVoxels(
-    const Nodes& nodes, vtkUnstructuredGrid* output, const Execution& execution) const;
+  void FillVoxels(vtkUnstructuredGrid* output, const Execution& execution) const;
   template <typename IdArray>
-  void FillOutlines(const Nodes& nodes, vtkPolyData* output, const Execution& execution) const;
+  void FillOutlines(vtkPolyData* output, const Execution& execution) const;
   template <typename DataSet>
-  void AddArrays(const Nodes& nodes, DataSet* output, const Execution& execution) const;
+  void AddArrays(DataSet* output, const Execution& execution) const;
 
   const Octree<3>& Tree;
   int StartDepth;
-  NodeListOptions Options;
+  const Nodes& Listed;
 };
 }
 

@@ -4,6 +4,7 @@
 #include "AlgorithmExecution.h"
 #include "DirectSearch.h"
 #include "LeafNumbers.h"
+#include "NodeList.h"
 #include "OctreeCells.h"
 #include "PointBatch.h"
 #include "PointsAdaptor.h"
@@ -493,7 +494,8 @@ void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData*
   pd->Initialize();
   try
   {
-    OctreeCells(index.GetOctree(), index.GetStartDepths().GetOfTree(), options)
+    const auto nodes = ListNodes(index.GetOctree(), options, MakeExecution());
+    OctreeCells(index.GetOctree(), index.GetStartDepths().GetOfTree(), nodes)
       .MakeOutlines(pd, MakeExecution());
   }
   catch (const std::bad_alloc&)

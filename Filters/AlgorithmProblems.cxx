@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "AlgorithmProblems.h"
+
+#include "Execution.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkInformationVector.h"
+
+#include <exception>
+#include <new>
+#include <string>
+
+namespace hashedoctree
+{
+int RunReportingProblems(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputVector, const std::function<void()>& body)
+{
+  std::string problem;
+  try
+  {
+    body();
+    return 1;
+  }
+  catch (const Interrupted&)
+  {
+  }
+  catch (const std::bad_alloc&)
+  {
+    problem =
+      "There is not enough memory for the octree; raise MaxPointsPerLeaf or lower MaxDepth.";
+  }
+  catch (const std::exception& exception)
+  {
+    problem = exception.what();
+  }
+  for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  if (!problem.empty())
+  {
+    vtkErrorWithObjectMacro(algorithm, << problem);
+  }
+  return problem.empty() ? 1 : 0;
+}
+}

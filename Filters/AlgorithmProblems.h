@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef AlgorithmProblems_h
+#define AlgorithmProblems_h
+
+#include <functional>
+
+class vtkAlgorithm;
+class vtkInformationVector;
+
+namespace hashedoctree
+{
+/**
+ * Runs the body of a RequestData() and returns what that must return. The body throws Interrupted
+ * when the algorithm was aborted, and std::exception with what to tell the user, which becomes one
+ * error of the algorithm. In both cases all outputs are emptied. Private to the module.
+ */
+int RunReportingProblems(
+  vtkAlgorithm* algorithm, vtkInformationVector* outputVector, const std::function<void()>& body);
+}
+
+#endif

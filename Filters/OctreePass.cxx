@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OctreePass.h"
+
+#include "AlgorithmExecution.h"
+#include "PointsAdaptor.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointSet.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <chrono>
+#include <stdexcept>
+
+namespace hashedoctree
+{
+namespace
+{
+/** Shares of the progress of one point set: where each step ends. */
+constexpr double AdaptorShare = 0.02;
+constexpr double SelectionShare = 0.05;
+}
+
+OctreePass::OctreePass(
+  vtkAlgorithm* algorithm, const Octree<3>::Options& options, std::optional<Box<3>> root)
+  : Algorithm(algorithm)
+  , Options(options)
+  , Root(root)
+{
+}
+
+void OctreePass::Execute(
+  vtkDataObject* input, vtkInformationVector* outputVector, const MakeOutputs& makeOutputs)
+{
+  const Execution execution = MakeExecution(this->Algorithm);
+  if (auto* composite = vtkDataObjectTree::SafeDownCast(input))
+  {
+    this->ProcessBlocks(composite, outputVector, makeOutputs, execution);
+  }
+  else
+  {
+    const Outputs outputs = this->Process(vtkPointSet::SafeDownCast(input), makeOutputs, execution);
+    for (std::size_t port = 0; port < outputs.size(); ++port)
+    {
+      vtkDataObject::GetData(outputVector, static_cast<int>(port))->ShallowCopy(outputs[port]);
+    }
+  }
+  if (this->SkippedPoints > 0)
+  {
+    vtkWarningWithObjectMacro(this->Algorithm, << this->SkippedPoints << " of " << this->AllPoints
+                                               << " points have a coordinate that is not finite; "
+                                                  "they are left out.");
+  }
+  if (this->UsedPoints == 0 && !IsPiece(outputVector))
+  {
+    this->RefuseInput();
+  }
+}
+
+void OctreePass::ProcessBlocks(vtkDataObjectTree* input, vtkInformationVector* outputVector,
+  const MakeOutputs& makeOutputs, const Execution& execution)
+{
+  std::vector<vtkDataObjectTree*> outputs;
+  for (int port = 0; port < this->Algorithm->GetNumberOfOutputPorts(); ++port)
+  {
+    outputs.push_back(vtkDataObjectTree::GetData(outputVector, port));
+    outputs.back()->CopyStructure(input);
+  }
+  const auto blocks = vtk::TakeSmartPointer(input->NewTreeIterator());
+  double numberOfBlocks = 0.0;
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    numberOfBlocks += 1.0;
+  }
+  double block = 0.0;
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    auto* points = vtkPointSet::SafeDownCast(blocks->GetCurrentDataObject());
+    const Outputs results = this->Process(
+      points, makeOutputs, execution.Part(block / numberOfBlocks, (block + 1.0) / numberOfBlocks));
+    for (std::size_t port = 0; port < results.size(); ++port)
+    {
+      outputs[port]->SetDataSetFrom(blocks, results[port]);
+    }
+    block += 1.0;
+  }
+}
+
+OctreePass::Outputs OctreePass::Process(
+  vtkPointSet* input, const MakeOutputs& makeOutputs, const Execution& execution)
+{
+  if (input == nullptr || input->GetNumberOfPoints() == 0)
+  {
+    return {};
+  }
+  const PointsOctree octree = this->Build(input, execution);
+  this->AllPoints += input->GetNumberOfPoints();
+  this->SkippedPoints += octree.SkippedPoints;
+  this->UsedPoints += octree.Tree.GetNumberOfPoints();
+  return octree.Tree.GetNumberOfPoints() == 0 ? Outputs{} : makeOutputs(octree, execution);
+}
+
+PointsOctree OctreePass::Build(vtkPointSet* input, const Execution& execution) const
+{
+  const auto start = std::chrono::steady_clock::now();
+  const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
+  PointsOctree octree;
+  points.Visit(
+    [&](auto span)
+    {
+      const PointSelection<3> selection(
+        span, this->Root, execution.Part(AdaptorShare, SelectionShare));
+      octree.Tree =
+        Octree<3>(span, selection, this->Options, execution.Part(SelectionShare, BuildShare));
+      octree.SkippedPoints = selection.GetNumberOfSkippedPoints();
+      octree.OutsidePoints = selection.GetNumberOfOutsidePoints();
+    });
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+  octree.BuildSeconds = elapsed.count();
+  return octree;
+}
+
+bool OctreePass::IsPiece(vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* information = outputVector->GetInformationObject(0);
+  return information->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
+    information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+}
+
+void OctreePass::RefuseInput() const
+{
+  if (this->AllPoints == 0)
+  {
+    throw std::invalid_argument("The input has no points; give a data set with points.");
+  }
+  throw std::invalid_argument(this->Root
+      ? "No point with finite coordinates lies in CustomBounds; widen them."
+      : "No point has finite coordinates; mend the input.");
+}
+}
