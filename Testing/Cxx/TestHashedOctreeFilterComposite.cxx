@@ -25,13 +25,6 @@ std::vector<vtkSmartPointer<vtkDataObject>> MakeOutputsOf(vtkDataObject* block)
   return TakeOutputs(filter.GetFilter());
 }
 
-void UpdateWithoutErrors(TestedFilter& filter)
-{
-  filter->Update();
-  EXPECT_EQ(filter.Errors, std::vector<std::string>());
-  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
-}
-
 template <typename Composite>
 Composite* GetOutput(TestedFilter& filter, int port)
 {
@@ -57,7 +50,7 @@ TEST(TestHashedOctreeFilterComposite, EachBlockOfAMultiBlockHasItsTree)
 
   TestedFilter filter;
   filter->SetInputData(input);
-  UpdateWithoutErrors(filter);
+  filter.UpdateWithoutErrors();
   const auto outputsOfFirst = MakeOutputsOf(first);
   const auto outputsOfSecond = MakeOutputsOf(second);
   for (int port = 0; port < 3; ++port)
@@ -87,7 +80,7 @@ TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)
   input->SetPartition(1, second);
   TestedFilter filter;
   filter->SetInputData(input);
-  UpdateWithoutErrors(filter);
+  filter.UpdateWithoutErrors();
   const auto outputsOfSecond = MakeOutputsOf(second);
   for (int port = 0; port < 3; ++port)
   {
@@ -109,7 +102,7 @@ TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
   TestedFilter filter;
   filter->SetOutputType(vtkHashedOctreeFilter::Voxels);
   filter->SetInputData(input);
-  UpdateWithoutErrors(filter);
+  filter.UpdateWithoutErrors();
   const auto outputs = MakeOutputsOf(block);
   for (int port = 0; port < 3; ++port)
   {
@@ -133,7 +126,7 @@ TEST(TestHashedOctreeFilterComposite, OutputsFollowTheKindOfTheInput)
     filter.Update();
     ExpectSameOutputs(TakeOutputs(filter.GetFilter()), MakeOutputsOf(block));
     filter->SetInputData(composite);
-    UpdateWithoutErrors(filter);
+    filter.UpdateWithoutErrors();
     EXPECT_NE(GetOutput<vtkMultiBlockDataSet>(filter, 1), nullptr);
   }
 }
@@ -147,7 +140,7 @@ TEST(TestHashedOctreeFilterComposite, WarnsOnceForAllBlocks)
   }
   TestedFilter filter;
   filter->SetInputData(input);
-  UpdateWithoutErrors(filter);
+  filter.UpdateWithoutErrors();
   ASSERT_EQ(filter.Warnings.size(), 1U);
   EXPECT_NE(filter.Warnings[0].find("3 of 6 points"), std::string::npos) << filter.Warnings[0];
 }
@@ -162,7 +155,7 @@ TEST(TestHashedOctreeFilterComposite, NoPointsInAnyBlockAreAnError)
   bad->SetBlock(2, vtkSmartPointer<vtkImageData>::New());
   TestedFilter filter;
   filter->SetInputData(good);
-  UpdateWithoutErrors(filter);
+  filter.UpdateWithoutErrors();
   filter->SetInputData(bad);
   filter->Update();
   ASSERT_EQ(filter.Errors.size(), 1U);
@@ -176,6 +169,6 @@ TEST(TestHashedOctreeFilterComposite, NoPointsInAnyBlockAreAnError)
   filter.Errors.clear();
   filter.PipelineErrors.clear();
   filter->SetInputData(good);
-  UpdateWithoutErrors(filter);
+  filter.UpdateWithoutErrors();
   EXPECT_NE(GetOutput<vtkMultiBlockDataSet>(filter, 0)->GetBlock(1), nullptr);
 }
