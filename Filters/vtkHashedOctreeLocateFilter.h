@@ -44,9 +44,10 @@
  * depths.
  *
  * Progress, abort, threads, points that are not finite, empty inputs and distributed data: as in
- * vtkHashedOctreeFilter. No queries, or none with finite coordinates, are an error, but for a piece
- * of a distributed data set; every process searches for its own queries in the tree of its own
- * points.
+ * vtkHashedOctreeFilter; but the local start depths are chosen in one pass over the nodes, during
+ * which no abort is heeded. Of composite queries VTK runs the filter for each block. No queries, or
+ * none with finite coordinates, are an error, but for a piece of a distributed data set; every
+ * process searches for its own queries in the tree of its own points.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h
