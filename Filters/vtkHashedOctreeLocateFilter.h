@@ -46,8 +46,9 @@
  * Progress, abort, threads, points that are not finite, empty inputs and distributed data: as in
  * vtkHashedOctreeFilter; but the local start depths are chosen in one pass over the nodes, during
  * which no abort is heeded. Of composite queries VTK runs the filter for each block. No queries, or
- * none with finite coordinates, are an error, but for a piece of a distributed data set; every
- * process searches for its own queries in the tree of its own points.
+ * none with finite coordinates, are an error, but for a piece of a distributed data set. There
+ * every process searches for its own queries in the tree of its own points; one without points
+ * gives nothing back, so bring the points to where the queries are.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h
