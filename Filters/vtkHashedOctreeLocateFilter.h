@@ -34,7 +34,8 @@
  *
  * Output port 1, vtkTable, a row for each way to search: Root, Median, Mean, Fixed (if chosen),
  * Local, Decision tree, Best for these queries (from BestStartDepth), and last Entropy bound, which
- * no search that looks at one depth after the other can go below. Columns:
+ * no search goes below that starts, and goes on, without regard to the position (Local may).
+ * Columns:
  * - Model (string);
  * - StartDepth (int): the depth that is looked at first; -1 of Local and the bound, which have
  * none;
