@@ -11,6 +11,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
+#include "vtkExtentTranslator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -203,6 +204,25 @@ int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(r
   located->CopyEntry(queries, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
   located->CopyEntry(queries, vtkDataObject::ORIGIN());
   located->CopyEntry(queries, vtkDataObject::SPACING());
+  return 1;
+}
+
+int vtkHashedOctreeLocateFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  // The executive asks for the extent of the output, which is one of the queries; points on a grid
+  // of their own have to be asked for in theirs.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* points = inputVector[0]->GetInformationObject(0);
+  if (points->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    vtkNew<vtkExtentTranslator> piece;
+    piece->SetWholeExtent(points->Get(Pipeline::WHOLE_EXTENT()));
+    piece->SetPiece(points->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+    piece->SetNumberOfPieces(points->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+    piece->PieceToExtent();
+    points->Set(Pipeline::UPDATE_EXTENT(), piece->GetExtent(), 6);
+  }
   return 1;
 }
 

@@ -5,6 +5,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
@@ -12,6 +13,7 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -102,6 +104,11 @@ TEST(TestHashedOctreeLocateFilterInputs, AnEmptyPieceIsNoError)
     EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
     EXPECT_EQ(filter.Warnings, std::vector<std::string>());
     EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 0);
+    if (empty == 1)
+    {
+      EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), 0);
+      EXPECT_EQ(filter.GetTableValue("Root", "MeasuredMean"), 0);
+    }
   }
 }
 
@@ -267,11 +274,49 @@ TEST(TestHashedOctreeLocateFilterInputs, QueriesMayBeOfAnyKind)
     EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
     EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), places->GetNumberOfPoints());
   }
-  // Points may be of any kind that has them; their extent is not that of the queries.
-  filter->SetInputData(0, structured);
-  filter->SetInputData(1, image);
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, TellsThePipelineWhereTheQueriesAre)
+{
+  vtkNew<vtkStructuredGrid> points;
+  points->SetDimensions(2, 2, 1);
+  points->SetPoints(MakePoints({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }));
+  vtkNew<vtkImageData> queries;
+  queries->SetExtent(3, 7, 0, 5, -2, 2);
+  queries->SetSpacing(0.11, 0.17, 0.19);
+  queries->SetOrigin(0.1, 0.2, 0.3);
+  TestedLocateFilter filter(points, queries);
   filter.Update();
-  EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), image->GetNumberOfPoints());
+  vtkInformation* information = filter->GetOutputInformation(0);
+  const int* extent = information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  ASSERT_NE(extent, nullptr);
+  EXPECT_TRUE(std::equal(extent, extent + 6, queries->GetExtent()));
+  const double* origin = information->Get(vtkDataObject::ORIGIN());
+  const double* spacing = information->Get(vtkDataObject::SPACING());
+  ASSERT_TRUE(origin && spacing);
+  EXPECT_TRUE(std::equal(origin, origin + 3, queries->GetOrigin()));
+  EXPECT_TRUE(std::equal(spacing, spacing + 3, queries->GetSpacing()));
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, AsksForPointsOnAGridInTheirOwnExtent)
+{
+  vtkNew<vtkStructuredGrid> points;
+  points->SetDimensions(5, 2, 1);
+  points->SetPoints(MakePoints(MakeUniformPoints<3, double>(10, 357)));
+  vtkNew<vtkImageData> queries;
+  queries->SetExtent(3, 7, 0, 5, -2, 2);
+  TestedLocateFilter filter(points, queries);
+  const auto getRequested = [&filter](int piece, int numberOfPieces)
+  {
+    filter->UpdatePiece(piece, numberOfPieces, 0);
+    const int* extent =
+      filter->GetInputInformation(0, 0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+    return std::vector<int>(extent, extent + 6);
+  };
+  EXPECT_EQ(getRequested(0, 1), std::vector<int>({ 0, 4, 0, 1, 0, 0 }));
+  EXPECT_EQ(getRequested(0, 2), std::vector<int>({ 0, 2, 0, 1, 0, 0 }));
+  EXPECT_EQ(getRequested(1, 2), std::vector<int>({ 2, 4, 0, 1, 0, 0 }));
+  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
 }
 
 TEST(TestHashedOctreeLocateFilterInputs, EachBlockOfPointsHasItsTree)
