@@ -113,12 +113,12 @@ TYPED_TEST(TestSearchComparison, PredictedMeansAreThoseOfCountedSearches)
           const auto counted = comparison.CountExaminedNodes(leaf.NodeKey.GetFirstAtMaxDepth());
           const long double weight = frequency == FrequencyModel::Leaves ? 1.0L
             : frequency == FrequencyModel::Points
-            ? leaf.GetNumberOfPoints()
+            ? static_cast<long double>(leaf.GetNumberOfPoints())
             : std::ldexp(1.0L, dim * (deepest - leaf.NodeKey.GetDepth()));
           weights += weight;
           for (const auto search : GetSearches<dim>())
           {
-            sums[search] += weight * counted[search];
+            sums[search] += weight * static_cast<long double>(counted[search]);
           }
         });
       for (const auto search : GetSearches<dim>())

@@ -131,7 +131,7 @@ TEST(TestStartDepths, MeanCostIsThatOfSearchesForTheLeaves)
         const MortonKey<3> key = leaf.NodeKey.GetLastAtMaxDepth();
         const auto nodes = static_cast<double>(CountExaminedNodes(made.Tree, key, starts.Get(key)));
         forLeaves += nodes;
-        forPoints += nodes * leaf.GetNumberOfPoints();
+        forPoints += nodes * static_cast<double>(leaf.GetNumberOfPoints());
         forGrid += nodes * std::ldexp(1.0, -3 * leaf.NodeKey.GetDepth());
       });
     EXPECT_EQ(starts.GetMeanCost(made.Tree, FrequencyModel::Leaves),

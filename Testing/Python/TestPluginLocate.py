@@ -2,30 +2,29 @@
 """The filter that locates query points: its proxy, and its outputs, in ParaView alone and from a
 server."""
 import numpy
+from octreetesting import arrays, check_properties, check_values, fetch, write_sphere
 from hashedoctree import vtkHashedOctreeLocateFilter
-from octreetesting import arrays, fetch, write_sphere
 from paraview import servermanager, simple
-from proxytesting import check_proxy, check_values
 
-# The proxy.
-names = check_proxy("HashedOctreeLocate", vtkHashedOctreeLocateFilter, {
-    "FrequencyModel": ["Leaves", "Points", "Grid"],
-    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
-})
-values = {"MaxPointsPerLeaf": 7, "MaxDepth": 9, "FrequencyModel": "Grid",
-          "StartDepthModel": "Fixed", "FixedStartDepth": 3, "IncludeEmptyLeaves": 1}
-assert set(values) == names, names
 path, number_of_points = write_sphere()
 sphere = simple.XMLPolyDataReader(FileName=[path])
 queries = simple.Transform(Input=sphere)
 queries.Transform.Scale = [0.7, 0.9, 1.1]  # Partly outside the box of the sphere.
+
+# The proxy.
 locate = simple.HashedOctreeLocate(Input=sphere, QueryPoints=queries)
-assert set(locate.ListProperties()) == names | {"Input", "QueryPoints"}, locate.ListProperties()
-assert locate.SMProxy.GetProperty("QueryPoints").GetXMLLabel() == "Query Points"
-assert [locate.GetOutputPort(name).Port for name in ("Located Queries", "Search Costs")] == [0, 1]
+names = check_properties(locate, vtkHashedOctreeLocateFilter, {
+    "FrequencyModel": ["Leaves", "Points", "Grid"],
+    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
+}, ["Input", "QueryPoints"])
+values = {"MaxPointsPerLeaf": 7, "MaxDepth": 9, "FrequencyModel": "Grid",
+          "StartDepthModel": "Fixed", "FixedStartDepth": 3, "IncludeEmptyLeaves": 1}
+assert set(values) == names, names
 if not servermanager.ActiveConnection.IsRemote():
     check_values(simple.HashedOctreeLocate(Input=sphere, QueryPoints=queries),
                  vtkHashedOctreeLocateFilter, values)
+assert locate.SMProxy.GetProperty("QueryPoints").GetXMLLabel() == "Query Points"
+assert [locate.GetOutputPort(name).Port for name in ("Located Queries", "Search Costs")] == [0, 1]
 
 # Its outputs, against the cells of the octree.
 octree = simple.HashedOctree(Input=sphere, IncludeEmptyLeaves=1)

@@ -3,23 +3,23 @@
 import octreetesting  # loads the plugin
 from hashedoctree import vtkHashedOctreeFilter
 from paraview import simple
-from proxytesting import check_proxy, check_values
 
-names = check_proxy("HashedOctree", vtkHashedOctreeFilter, {
+ENUMERATIONS = {
     "FrequencyModel": ["Leaves", "Points", "Grid"],
     "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
     "OutputType": ["Voxels", "Outlines"],
-})
-assert len(names) == 10, names
+}
 octree = simple.HashedOctree(Input=simple.Sphere())
-assert set(octree.ListProperties()) == names | {"Input"}, octree.ListProperties()
+names = octreetesting.check_properties(octree, vtkHashedOctreeFilter, ENUMERATIONS)
+assert len(names) == 10, names
 
+# Values reach the class.
 values = {"MaxPointsPerLeaf": 7, "MaxDepth": 9, "FrequencyModel": "Grid",
           "StartDepthModel": "Fixed", "FixedStartDepth": 3, "OutputType": "Outlines",
           "IncludeEmptyLeaves": 1, "IncludeInternalNodes": 1, "UseCustomBounds": 1,
           "CustomBounds": [-2.0, 2.0, -3.0, 3.0, -4.0, 4.0]}
 assert set(values) == names
-check_values(octree, vtkHashedOctreeFilter, values)
+octreetesting.check_values(octree, vtkHashedOctreeFilter, values)
 
 # In ParaView the custom bounds begin as those of the input.
 sphere = simple.Sphere(Radius=5.0, Center=[1.0, 2.0, 3.0], ThetaResolution=64, PhiResolution=64)

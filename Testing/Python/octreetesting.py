@@ -62,5 +62,63 @@ def fetch(octree, port):
     return servermanager.Fetch(octree, idx=port)
 
 
+def elements(property_):
+    """All elements of a property as a tuple."""
+    return tuple(property_.GetElement(i) for i in range(property_.GetNumberOfElements()))
+
+
+def value_of(filter_, name):
+    """A property of an instance of a vtk class as a tuple."""
+    value = getattr(filter_, "Get" + name)()
+    return value if isinstance(value, tuple) else (value,)
+
+
+def check_properties(proxy, class_, enumerations, inputs=("Input",)):
+    """Every property of the class is one of the proxy, with the same name, default, range and names
+    of values, and there are no others but the inputs. Returns the names."""
+    own = set(dir(class_)) - set(dir(class_.__bases__[0]))
+    names = {name[3:] for name in own
+             if name.startswith("Set") and "Get" + name[3:] in own and "To" not in name[3:]}
+    assert set(proxy.ListProperties()) == names | set(inputs), proxy.ListProperties()
+    # Not through simple, where domains bring defaults of their own.
+    fresh = servermanager.ProxyManager().NewProxy("filters", proxy.SMProxy.GetXMLName())
+    for name in sorted(names):
+        _check_property(fresh.GetProperty(name), class_(), name, enumerations.get(name))
+    return names
+
+
+def _check_property(property_, filter_, name, enumeration):
+    default = value_of(filter_, name)
+    assert elements(property_) == default, (name, elements(property_), default)
+    text = property_.GetDocumentation().GetDescription()
+    assert text and len(text.strip()) > 20, name
+    # What the domain does not allow, the class clamps.
+    domain = property_.FindDomain("vtkSMIntRangeDomain")
+    if domain:
+        for exists, limit, beyond in ((domain.GetMinimumExists(0), domain.GetMinimum(0), -2**31),
+                                      (domain.GetMaximumExists(0), domain.GetMaximum(0), 2**31 - 1)):
+            getattr(filter_, "Set" + name)(beyond)
+            expected = limit if exists else beyond
+            assert value_of(filter_, name) == (expected,), (name, value_of(filter_, name), expected)
+    if enumeration:
+        domain = property_.FindDomain("vtkSMEnumerationDomain")
+        entries = {domain.GetEntryText(i): domain.GetEntryValue(i)
+                   for i in range(domain.GetNumberOfEntries())}
+        expected = {text: getattr(type(filter_), text) for text in enumeration}
+        assert entries == expected, (name, entries, expected)
+
+
+def check_values(proxy, class_, values):
+    """Values given to the proxy reach the object that it stands for."""
+    for name, value in values.items():
+        setattr(proxy, name, value)
+    proxy.UpdatePipeline()
+    for name, value in values.items():
+        value = getattr(class_, value) if isinstance(value, str) else value
+        value = tuple(value) if isinstance(value, list) else (value,)
+        actual = value_of(proxy.GetClientSideObject(), name)
+        assert actual == value, (name, actual, value)
+
+
 _connect()
 _load_plugin()
