@@ -7,6 +7,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 namespace hashedoctree
@@ -64,5 +65,22 @@ void FillCostCurves(vtkTable* table, const DepthCounts& counts, const MeasuredCo
   const ContinuousCost continuous(counts.Leaves);
   AddColumn<vtkDoubleArray>(table, "ContinuousLeaves", rows,
     [&](std::size_t depth) { return continuous.GetCost(static_cast<double>(depth) + 0.5); });
+}
+
+void FillSearchTable(vtkTable* table, const std::vector<SearchRow>& rows)
+{
+  vtkNew<vtkStringArray> models;
+  models->SetName("Model");
+  for (const SearchRow& row : rows)
+  {
+    models->InsertNextValue(row.Model);
+  }
+  table->AddColumn(models);
+  AddColumn<vtkIntArray>(
+    table, "StartDepth", rows.size(), [&rows](std::size_t row) { return rows[row].StartDepth; });
+  AddColumn<vtkDoubleArray>(table, "PredictedMean", rows.size(),
+    [&rows](std::size_t row) { return rows[row].PredictedMean; });
+  AddColumn<vtkDoubleArray>(table, "MeasuredMean", rows.size(),
+    [&rows](std::size_t row) { return rows[row].MeasuredMean; });
 }
 }

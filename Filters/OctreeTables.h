@@ -5,6 +5,8 @@
 #include "DepthStatistics.h"
 #include "MeasuredCost.h"
 
+#include <vector>
+
 class vtkTable;
 
 namespace hashedoctree
@@ -19,6 +21,19 @@ void FillDepthHistogram(vtkTable* table, const DepthCounts& counts);
  * E8): mean nodes examined by one search, one row for each start depth from 0 to the deepest.
  * Private to the module. */
 void FillCostCurves(vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured);
+
+/** What one way to search costs: mean nodes that a search examines. */
+struct SearchRow
+{
+  const char* Model;
+  int StartDepth;
+  double PredictedMean;
+  double MeasuredMean;
+};
+
+/** Fills the columns Model (string), StartDepth (integer), PredictedMean and MeasuredMean, one row
+ * for each of the given. Private to the module. */
+void FillSearchTable(vtkTable* table, const std::vector<SearchRow>& rows);
 }
 
 #endif

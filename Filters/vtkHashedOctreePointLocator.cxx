@@ -452,15 +452,9 @@ vtkIdType vtkHashedOctreePointLocator::GetLeafId(const double x[3])
     [&index](MortonKey<3> key) -> vtkIdType
     {
       const Octree<3>& tree = index.GetOctree();
-      if (!tree.IsRootInternal())
-      {
-        return 0;
-      }
       const FoundLeaf<3> leaf =
         FindLeaf(tree, key, index.GetStartDepths().Get(key), EmptyOctants::Missing);
-      return leaf.Exists ? static_cast<vtkIdType>(index.Leaves.Get(tree.GetBlock(leaf.ParentBlock),
-                             leaf.ParentBlock, leaf.Key.GetOctant()))
-                         : -1;
+      return leaf.Exists ? static_cast<vtkIdType>(index.Leaves.Get(tree, leaf)) : -1;
     });
 }
 

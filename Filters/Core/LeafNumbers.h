@@ -2,14 +2,14 @@
 #ifndef hashedoctree_LeafNumbers_h
 #define hashedoctree_LeafNumbers_h
 
-#include "Octree.h"
+#include "DirectSearch.h"
 
 namespace hashedoctree
 {
 /**
- * Numbers for the leaves that hold points, from 0 on, ordered by depth, then by Morton key: the
- * order in which ListNodes() lists them. One PointIndex for each internal node. Immutable; thread
- * safe.
+ * Numbers for the leaves, from 0 on, ordered by depth, then by Morton key: the order in which
+ * ListNodes() lists them. In the sparse reading only leaves that hold points have one. One
+ * PointIndex for each internal node. Immutable; thread safe.
  */
 template <int Dim>
 class LeafNumbers
@@ -18,33 +18,45 @@ public:
   LeafNumbers() = default;
 
   /** O(internal nodes). */
-  explicit LeafNumbers(const Octree<Dim>& tree)
+  explicit LeafNumbers(const Octree<Dim>& tree, EmptyOctants reading = EmptyOctants::Missing)
     : First(tree.GetNumberOfInternalNodes())
+    , Reading(reading)
   {
     PointIndex number = 0;
     for (std::size_t block = 0; block < this->First.GetSize(); ++block)
     {
       this->First[block] = number;
-      number += CountOctants(GetLeaves(tree.GetBlock(block)));
+      number += CountOctants(this->GetLeaves(tree.GetBlock(block)));
     }
   }
 
-  /** The number of a leaf that holds points, given the block that describes it. */
+  /** The number of a leaf that has one, given the block that describes it. */
   PointIndex Get(
     const typename Octree<Dim>::Block& block, std::size_t blockNumber, unsigned octant) const
   {
-    return this->First[blockNumber] + CountOctants(GetLeaves(block) & ((1U << octant) - 1U));
+    return this->First[blockNumber] + CountOctants(this->GetLeaves(block) & ((1U << octant) - 1U));
+  }
+
+  /** The number of a leaf that exists, as found by a search in the tree in the same reading. */
+  PointIndex Get(const Octree<Dim>& tree, const FoundLeaf<Dim>& leaf) const
+  {
+    return tree.IsRootInternal()
+      ? this->Get(tree.GetBlock(leaf.ParentBlock), leaf.ParentBlock, leaf.Key.GetOctant())
+      : 0;
   }
 
   std::size_t GetBytes() const { return this->First.GetBytes(); }
 
 private:
-  static std::uint32_t GetLeaves(const typename Octree<Dim>::Block& block)
+  std::uint32_t GetLeaves(const typename Octree<Dim>::Block& block) const
   {
-    return block.Occupied & ~static_cast<std::uint32_t>(block.Internal);
+    constexpr std::uint32_t all = (1U << Octree<Dim>::NumberOfOctants) - 1U;
+    return (this->Reading == EmptyOctants::Leaves ? all : block.Occupied) &
+      ~static_cast<std::uint32_t>(block.Internal);
   }
 
   Buffer<PointIndex> First;
+  EmptyOctants Reading = EmptyOctants::Missing;
 };
 }
 

@@ -2,9 +2,35 @@
 #include "StartDepths.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace hashedoctree
 {
+namespace
+{
+/** Calls function(leaf, weight) for each leaf of a tree whose root is internal, with the weight
+ * that the leaf has in a frequency model. */
+template <int Dim, typename Function>
+void ForEachLeaf(const Octree<Dim>& tree, FrequencyModel frequency, const Function& function)
+{
+  for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
+  {
+    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+    {
+      const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
+      if (!child.Internal)
+      {
+        const int height = tree.GetDeepestDepth() - child.NodeKey.GetDepth();
+        function(child,
+          frequency == FrequencyModel::Leaves   ? 1
+            : frequency == FrequencyModel::Grid ? std::uint64_t(1) << (Dim * height)
+                                                : child.GetNumberOfPoints());
+      }
+    }
+  }
+}
+}
+
 template <int Dim>
 StartDepths<Dim>::StartDepths(const Octree<Dim>& tree, const StartDepthOptions& options)
   : Everywhere(
@@ -20,31 +46,19 @@ template <int Dim>
 void StartDepths<Dim>::ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequency)
 {
   constexpr std::size_t numberOfCells = std::size_t(1) << (Dim * LocalDepth);
-  const int deepest = tree.GetDeepestDepth();
-  const auto numberOfDepths = static_cast<std::size_t>(deepest) + 1;
+  const auto numberOfDepths = static_cast<std::size_t>(tree.GetDeepestDepth()) + 1;
   std::vector<std::uint64_t> weights(numberOfCells * numberOfDepths);
-  for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
-  {
-    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+  ForEachLeaf(tree, frequency,
+    [&weights, numberOfDepths](const typename Octree<Dim>::Node& leaf, std::uint64_t weight)
     {
-      const auto child = tree.GetChild(block, octant);
-      if (child.Internal)
+      const auto depth = static_cast<std::size_t>(leaf.NodeKey.GetDepth());
+      const std::size_t last = GetCoarseCell(leaf.NodeKey.GetLastAtMaxDepth());
+      for (auto cell = GetCoarseCell(leaf.NodeKey.GetFirstAtMaxDepth()); cell <= last; ++cell)
       {
-        continue;
+        // Places without points have a depth, too.
+        weights[cell * numberOfDepths + depth] += std::max<std::uint64_t>(weight, 1);
       }
-      const int depth = child.NodeKey.GetDepth();
-      // Places without points have a depth, too.
-      const std::uint64_t weight = frequency == FrequencyModel::Leaves ? 1
-        : frequency == FrequencyModel::Points
-        ? std::max<std::uint64_t>(child.GetNumberOfPoints(), 1)
-        : std::uint64_t(1) << (Dim * (deepest - depth));
-      const std::size_t last = GetCoarseCell(child.NodeKey.GetLastAtMaxDepth());
-      for (auto cell = GetCoarseCell(child.NodeKey.GetFirstAtMaxDepth()); cell <= last; ++cell)
-      {
-        weights[cell * numberOfDepths + static_cast<std::size_t>(depth)] += weight;
-      }
-    }
-  }
+    });
   this->Local.resize(numberOfCells);
   DepthHistogram histogram;
   for (std::size_t cell = 0; cell < numberOfCells; ++cell)
@@ -53,6 +67,25 @@ void StartDepths<Dim>::ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequ
     histogram.assign(first, first + numberOfDepths);
     this->Local[cell] = static_cast<std::uint8_t>(GetMedianDepth(histogram));
   }
+}
+
+template <int Dim>
+double StartDepths<Dim>::GetMeanCost(const Octree<Dim>& tree, FrequencyModel frequency) const
+{
+  if (this->Local.empty() || !tree.IsRootInternal())
+  {
+    return hashedoctree::GetMeanCost(
+      GetDepthHistogram(tree.GetDepthCounts(), frequency, Dim), this->Everywhere);
+  }
+  DepthHistogram distances(MortonKey<Dim>::MaxDepth + 1, 0);
+  ForEachLeaf(tree, frequency,
+    [this, &distances](const typename Octree<Dim>::Node& leaf, std::uint64_t weight)
+    {
+      // All coarse cells in one leaf have one start depth.
+      const int startDepth = this->Get(leaf.NodeKey.GetFirstAtMaxDepth());
+      distances[static_cast<std::size_t>(std::abs(leaf.NodeKey.GetDepth() - startDepth))] += weight;
+    });
+  return hashedoctree::GetMeanCost(distances, 0);
 }
 
 template class StartDepths<1>;

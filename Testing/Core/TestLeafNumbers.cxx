@@ -2,7 +2,6 @@
 #include "LeafNumbers.h"
 
 #include "Dimensions.h"
-#include "DirectSearch.h"
 #include "NodeList.h"
 #include "SampleTree.h"
 
@@ -21,19 +20,34 @@ TYPED_TEST(TestLeafNumbers, AreThePlacesInTheListOfLeaves)
   {
     SCOPED_TRACE(sample.Name);
     const SampleTree<dim, double> made(sample);
-    const LeafNumbers<dim> numbers(made.Tree);
-    EXPECT_EQ(numbers.GetBytes(), sizeof(PointIndex) * made.Tree.GetNumberOfInternalNodes());
-    if (!made.Tree.IsRootInternal())
+    for (const EmptyOctants reading : { EmptyOctants::Missing, EmptyOctants::Leaves })
     {
-      continue; // No block describes the root.
+      const LeafNumbers<dim> numbers(made.Tree, reading);
+      EXPECT_EQ(numbers.GetBytes(), sizeof(PointIndex) * made.Tree.GetNumberOfInternalNodes());
+      const bool all = reading == EmptyOctants::Leaves;
+      const auto leaves = ListNodes(made.Tree, NodeListOptions{ all, false }, Execution());
+      for (std::size_t i = 0; i < leaves.GetSize(); ++i)
+      {
+        const auto leaf = FindLeaf(made.Tree, leaves[i].NodeKey.GetFirstAtMaxDepth(), 0, reading);
+        ASSERT_TRUE(leaf.Exists);
+        ASSERT_EQ(numbers.Get(made.Tree, leaf), i);
+      }
     }
-    const auto leaves = ListNodes(made.Tree, NodeListOptions{ false, false }, Execution());
-    for (std::size_t i = 0; i < leaves.GetSize(); ++i)
-    {
-      const auto leaf = FindLeaf(made.Tree, leaves[i].NodeKey.GetFirstAtMaxDepth(), 0);
-      ASSERT_EQ(
-        numbers.Get(made.Tree.GetBlock(leaf.ParentBlock), leaf.ParentBlock, leaf.Key.GetOctant()),
-        i);
-    }
+  }
+}
+
+TYPED_TEST(TestLeafNumbers, CountTheLeavesWithPointsByThemselves)
+{
+  constexpr int dim = TypeParam::value;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "uniform", MakeUniformPoints<dim, double>(300, 191) });
+  const LeafNumbers<dim> numbers(made.Tree);
+  const auto leaves = ListNodes(made.Tree, NodeListOptions{ false, false }, Execution());
+  ASSERT_GT(leaves.GetSize(), 100U);
+  for (std::size_t i = 0; i < leaves.GetSize(); ++i)
+  {
+    const auto leaf = FindLeaf(made.Tree, leaves[i].NodeKey.GetFirstAtMaxDepth(), 0);
+    ASSERT_EQ(
+      numbers.Get(made.Tree.GetBlock(leaf.ParentBlock), leaf.ParentBlock, leaf.Key.GetOctant()), i);
   }
 }

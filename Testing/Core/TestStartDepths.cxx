@@ -115,6 +115,33 @@ TEST(TestStartDepths, LocalCostsLessWhereDensityVaries)
   EXPECT_LT(localCost, medianCost);
 }
 
+TEST(TestStartDepths, MeanCostIsThatOfSearchesForTheLeaves)
+{
+  const SampleTree<3, double> made(MakeTwoDensities());
+  for (const StartDepthModel model : { StartDepthModel::Median, StartDepthModel::Mean,
+         StartDepthModel::Root, StartDepthModel::Fixed, StartDepthModel::Local })
+  {
+    const StartDepths<3> starts(made.Tree, { model, FrequencyModel::Leaves, 7 });
+    double forLeaves = 0.0;
+    double forPoints = 0.0;
+    double forGrid = 0.0;
+    ForEachLeaf(made.Tree,
+      [&](const auto& leaf)
+      {
+        const MortonKey<3> key = leaf.NodeKey.GetLastAtMaxDepth();
+        const auto nodes = static_cast<double>(CountExaminedNodes(made.Tree, key, starts.Get(key)));
+        forLeaves += nodes;
+        forPoints += nodes * static_cast<double>(leaf.GetNumberOfPoints());
+        forGrid += nodes * std::ldexp(1.0, -3 * leaf.NodeKey.GetDepth());
+      });
+    EXPECT_EQ(starts.GetMeanCost(made.Tree, FrequencyModel::Leaves),
+      forLeaves / static_cast<double>(made.Tree.GetNumberOfLeaves()));
+    EXPECT_EQ(starts.GetMeanCost(made.Tree, FrequencyModel::Points),
+      forPoints / static_cast<double>(made.Tree.GetNumberOfPoints()));
+    EXPECT_NEAR(starts.GetMeanCost(made.Tree, FrequencyModel::Grid), forGrid, 1e-12);
+  }
+}
+
 TEST(TestStartDepths, TreesOfOneLeaf)
 {
   for (const std::size_t count : { 0U, 1U })
@@ -123,5 +150,7 @@ TEST(TestStartDepths, TreesOfOneLeaf)
       PointSample<3, double>{ "few", MakeUniformPoints<3, double>(count, 164) });
     const StartDepths<3> starts(made.Tree, { StartDepthModel::Local, FrequencyModel::Points, 0 });
     EXPECT_EQ(starts.Get(MortonKey<3>::Root().GetLastAtMaxDepth()), 0);
+    EXPECT_EQ(starts.GetMeanCost(made.Tree, FrequencyModel::Leaves), 1);
+    EXPECT_EQ(starts.GetMeanCost(made.Tree, FrequencyModel::Points), count);
   }
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ParaView opens for each output by itself: cells, a bar chart, a line chart."""
+"""What ParaView opens for each output by itself: cells, points, charts, a table."""
 import sys
 
 import octreetesting  # loads the plugin
@@ -11,10 +11,10 @@ octree.UpdatePipeline()
 controller = servermanager.ParaViewPipelineController()
 
 
-def show(port):
+def show(port, filter_=octree):
     """The view that ParaView prefers for a port, with the port shown in it."""
     view = servermanager._getPyProxy(
-        controller.ShowInPreferredView(octree.SMProxy, port, None))
+        controller.ShowInPreferredView(filter_.SMProxy, port, None))
     view.ViewSize = [400, 300]
     simple.Render(view)
     return view, view.Representations[0]
@@ -29,6 +29,16 @@ assert view.GetXMLName() == "HashedOctreeCostCurvesView", view.GetXMLName()
 assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis
 assert list(shown.SeriesVisibility) == octreetesting.COSTS[1:], list(shown.SeriesVisibility)
 assert view.BottomAxisTitle and view.LeftAxisTitle
+
+# Query points without cells must be seen, too.
+locate = simple.HashedOctreeLocate(Input=octree.Input, QueryPoints=simple.PointSource())
+locate.UpdatePipeline()
+view, shown = show(0, locate)
+assert view.GetXMLName() == "RenderView", view.GetXMLName()
+assert shown.Representation == "Point Gaussian", shown.Representation
+assert list(shown.ColorArrayName) == ["POINTS", "HitCost"], shown.ColorArrayName
+view, shown = show(1, locate)
+assert view.GetXMLName() == "SpreadSheetView", view.GetXMLName()
 
 view, shown = show(1)
 assert view.GetXMLName() == "HashedOctreeDepthHistogramView", view.GetXMLName()

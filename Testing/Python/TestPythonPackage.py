@@ -2,7 +2,8 @@
 """The Python package, without ParaView's shells and without the plugin."""
 import sys
 
-from hashedoctree import vtkHashedOctreeFilter, vtkHashedOctreeNeighborsFilter
+from hashedoctree import (vtkHashedOctreeFilter, vtkHashedOctreeLocateFilter,
+                          vtkHashedOctreeNeighborsFilter)
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 assert "paraview" not in sys.modules
@@ -27,6 +28,19 @@ assert histogram.GetColumnByName("Points").GetValue(0) == 0
 octree.SetOutputType(vtkHashedOctreeFilter.Outlines)
 octree.Update()
 assert octree.GetOutputDataObject(0).GetClassName() == "vtkPolyData"
+
+locate = vtkHashedOctreeLocateFilter()
+locate.SetInputConnection(0, sphere.GetOutputPort())
+locate.SetInputConnection(1, sphere.GetOutputPort())
+locate.SetFrequencyModel(vtkHashedOctreeLocateFilter.Points)
+locate.Update()
+ids = locate.GetOutputDataObject(0).GetPointData().GetArray("LeafId")
+assert sorted(ids.GetValue(i) for i in range(points)) == list(range(points))
+table = locate.GetOutputDataObject(1)
+for row in range(table.GetNumberOfRows()):
+    predicted, measured = (table.GetValueByName(row, name) for name in
+                           ("PredictedMean", "MeasuredMean"))
+    assert predicted == measured, (row, predicted, measured)
 
 neighbors = vtkHashedOctreeNeighborsFilter()
 neighbors.SetInputConnection(sphere.GetOutputPort())

@@ -73,13 +73,13 @@ def value_of(filter_, name):
     return value if isinstance(value, tuple) else (value,)
 
 
-def check_properties(proxy, class_, enumerations):
+def check_properties(proxy, class_, enumerations, inputs=("Input",)):
     """Every property of the class is one of the proxy, with the same name, default, range and names
-    of values, and there are no others but Input. Returns the names."""
+    of values, and there are no others but the inputs. Returns the names."""
     own = set(dir(class_)) - set(dir(class_.__bases__[0]))
     names = {name[3:] for name in own
              if name.startswith("Set") and "Get" + name[3:] in own and "To" not in name[3:]}
-    assert set(proxy.ListProperties()) == names | {"Input"}, proxy.ListProperties()
+    assert set(proxy.ListProperties()) == names | set(inputs), proxy.ListProperties()
     # Not through simple, where domains bring defaults of their own.
     fresh = servermanager.ProxyManager().NewProxy("filters", proxy.SMProxy.GetXMLName())
     for name in sorted(names):

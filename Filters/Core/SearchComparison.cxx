@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SearchComparison.h"
+
+#include "DecisionSearch.h"
+
+namespace hashedoctree
+{
+template <int Dim>
+SearchComparison<Dim>::SearchComparison(
+  const Octree<Dim>& tree, const StartDepthOptions& options, const DepthHistogram& queryDepths)
+  : Tree(tree)
+  , Frequency(options.Frequency)
+  , Decisions(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim))
+{
+  const auto start = [&tree, &options](StartDepthModel model, int fixed = 0) {
+    return StartDepths<Dim>(tree, { model, options.Frequency, fixed });
+  };
+  this->Starts[Chosen] = StartDepths<Dim>(tree, options);
+  this->Starts[Median] = start(StartDepthModel::Median);
+  this->Starts[Mean] = start(StartDepthModel::Mean);
+  this->Starts[Local] = start(StartDepthModel::Local);
+  this->Starts[BestForQueries] = start(StartDepthModel::Fixed, GetMedianDepth(queryDepths));
+}
+
+template <int Dim>
+int SearchComparison<Dim>::GetStartDepth(Search search) const
+{
+  return search == Local     ? -1
+    : search == DecisionTree ? this->Decisions.GetRootDepth()
+                             : this->Starts[search].GetOfTree();
+}
+
+template <int Dim>
+double SearchComparison<Dim>::GetPredictedMean(Search search) const
+{
+  return search == DecisionTree ? this->Decisions.GetMeanCost()
+                                : this->Starts[search].GetMeanCost(this->Tree, this->Frequency);
+}
+
+template <int Dim>
+auto SearchComparison<Dim>::CountExaminedNodes(MortonKey<Dim> key) const -> Costs
+{
+  Costs costs;
+  for (std::size_t search = 0; search < NumberOfSearches; ++search)
+  {
+    NodeCount count;
+    search == DecisionTree ? FindLeaf(this->Tree, key, this->Decisions, count)
+                           : FindLeaf(this->Tree, key, this->Starts[search].Get(key), count);
+    costs[search] = count.Nodes;
+  }
+  return costs;
+}
+
+template class SearchComparison<1>;
+template class SearchComparison<2>;
+template class SearchComparison<3>;
+template class SearchComparison<4>;
+}

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_SearchComparison_h
+#define hashedoctree_SearchComparison_h
+
+#include "DepthDecisionTree.h"
+#include "StartDepths.h"
+
+#include <array>
+#include <cstdint>
+
+namespace hashedoctree
+{
+/**
+ * Searches that differ in where they start, side by side: what each is predicted to cost in a
+ * frequency model (paper section 4), and what it costs for a position, counted.
+ *
+ * Immutable; thread safe. The tree must outlive it.
+ */
+template <int Dim>
+class SearchComparison
+{
+public:
+  enum Search : std::size_t
+  {
+    Chosen,         ///< As the options say.
+    Root,           ///< From the root: the classical search.
+    Median,         ///< From the weighted median of the leaves' depths.
+    Mean,           ///< From their weighted mean.
+    Local,          ///< From the weighted median near the position (StartDepths.h).
+    DecisionTree,   ///< From depth to depth by decisions (DecisionSearch.h).
+    BestForQueries, ///< From the one depth that costs the least for the given query depths.
+    NumberOfSearches
+  };
+  /** A number of nodes for each search. */
+  using Costs = std::array<std::uint64_t, NumberOfSearches>;
+
+  /** `options` say where the chosen search starts, and their frequency model weighs the leaves for
+   * all others but the best one. `queryDepths` has a weight for each depth, from 0 to the tree's
+   * deepest, as MeasureQueryDepths() measures it. O(nodes). */
+  SearchComparison(
+    const Octree<Dim>& tree, const StartDepthOptions& options, const DepthHistogram& queryDepths);
+
+  /** The depth where a search starts; of the decision tree the depth that it looks at first. -1 of
+   * Local, which has no single one. */
+  int GetStartDepth(Search search) const;
+
+  /** Mean number of nodes that a search examines, when leaves are searched for as the frequency
+   * model says. 0 where that has no weight. O(depths), of Local O(nodes). */
+  double GetPredictedMean(Search search) const;
+
+  /** How many nodes each search for a position examines, given its key at MaxDepth. Every search is
+   * made and counted; nothing comes from the cost model. */
+  Costs CountExaminedNodes(MortonKey<Dim> key) const;
+
+private:
+  const Octree<Dim>& Tree;
+  FrequencyModel Frequency;
+  std::array<StartDepths<Dim>, NumberOfSearches> Starts; ///< That of DecisionTree is not used.
+  DepthDecisionTree Decisions;
+};
+}
+
+#endif

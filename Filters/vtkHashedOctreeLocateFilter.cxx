@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHashedOctreeLocateFilter.h"
+
+#include "AlgorithmProblems.h"
+#include "FieldValue.h"
+#include "OctreePass.h"
+#include "OctreeTables.h"
+#include "QueryArrays.h"
+#include "QueryDepths.h"
+
+#include "vtkDataObjectTree.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtentTranslator.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
+
+#include <numeric>
+#include <stdexcept>
+
+using namespace hashedoctree;
+
+vtkStandardNewMacro(vtkHashedOctreeLocateFilter);
+
+namespace
+{
+constexpr int NumberOfPorts = 2; // Of inputs, and of outputs.
+
+/** Shares of the progress of one tree: where each step ends. The rest is for the point arrays. */
+constexpr double AdaptorShare = 0.35;
+constexpr double DepthsShare = 0.45;
+}
+
+/** What one run of RequestData makes of each tree. */
+class vtkHashedOctreeLocateFilter::Run
+{
+public:
+  Run(vtkHashedOctreeLocateFilter* filter, vtkDataSet* queries)
+    : Self(filter)
+    , Queries(queries)
+  {
+    this->Options.Model = static_cast<hashedoctree::StartDepthModel>(filter->StartDepthModel);
+    this->Options.Frequency = static_cast<hashedoctree::FrequencyModel>(filter->FrequencyModel);
+    this->Options.Fixed = filter->FixedStartDepth;
+  }
+
+  /** Ports 0 and 1. Throws std::exception with what to tell the user, and Interrupted. */
+  void Execute(vtkDataObject* input, vtkInformationVector* outputVector)
+  {
+    this->IsPiece = OctreePass::IsPiece(outputVector);
+    const vtkIdType all = this->Queries->GetNumberOfPoints();
+    if (all == 0 && !this->IsPiece)
+    {
+      throw std::invalid_argument("There are no query points; give a data set with points.");
+    }
+    Octree<3>::Options options;
+    options.MaxPointsPerLeaf = static_cast<std::size_t>(this->Self->MaxPointsPerLeaf);
+    options.MaxDepth = this->Self->MaxDepth;
+    this->FiniteQueries = static_cast<std::uint64_t>(all);
+    OctreePass(this->Self, options)
+      .Execute(input, outputVector,
+        [this](const PointsOctree& octree, const Execution& execution)
+        { return this->Locate(octree.Tree, execution); });
+    const vtkIdType skipped = all - static_cast<vtkIdType>(this->FiniteQueries);
+    if (skipped > 0)
+    {
+      vtkWarningWithObjectMacro(
+        this->Self, << skipped << " of " << all
+                    << " query points have a coordinate that is not finite; they are not located.");
+    }
+  }
+
+private:
+  using Comparison = SearchComparison<3>;
+
+  OctreePass::Outputs Locate(const Octree<3>& tree, const Execution& execution)
+  {
+    const PointsAdaptor points(this->Queries, execution.Part(OctreePass::BuildShare, AdaptorShare));
+    DepthHistogram depths;
+    points.Visit([&](auto span)
+      { depths = MeasureQueryDepths(tree, span, execution.Part(AdaptorShare, DepthsShare)); });
+    this->FiniteQueries = std::accumulate(depths.begin(), depths.end(), std::uint64_t(0));
+    if (this->FiniteQueries == 0 && !this->IsPiece)
+    {
+      throw std::invalid_argument("No query point has finite coordinates; mend the query points.");
+    }
+
+    const Comparison searches(tree, this->Options, depths);
+    const auto located = vtk::TakeSmartPointer(this->Queries->NewInstance());
+    located->ShallowCopy(this->Queries);
+    const Comparison::Costs costs = AddQueryArrays(located, points, tree,
+      this->Self->IncludeEmptyLeaves ? EmptyOctants::Leaves : EmptyOctants::Missing, searches,
+      execution.Part(DepthsShare, 1.0));
+
+    vtkFieldData* fieldData = located->GetFieldData();
+    AddFieldValue<vtkIntArray>(fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
+    AddFieldValue<vtkDoubleArray>(
+      fieldData, "MeanHitCost", this->GetMean(costs[Comparison::Chosen]));
+    AddFieldValue<vtkIntArray>(
+      fieldData, "BestStartDepth", searches.GetStartDepth(Comparison::BestForQueries));
+    vtkNew<vtkTable> table;
+    this->FillTable(table, tree, searches, costs, depths);
+    return { located, table };
+  }
+
+  void FillTable(vtkTable* table, const Octree<3>& tree, const Comparison& searches,
+    const Comparison::Costs& costs, const DepthHistogram& depths) const
+  {
+    std::vector<SearchRow> rows;
+    const auto add = [&](const char* name, Comparison::Search search)
+    {
+      rows.push_back({ name, searches.GetStartDepth(search), searches.GetPredictedMean(search),
+        this->GetMean(costs[search]) });
+    };
+    add("Root", Comparison::Root);
+    add("Median", Comparison::Median);
+    add("Mean", Comparison::Mean);
+    if (this->Self->StartDepthModel == Fixed)
+    {
+      add("Fixed", Comparison::Chosen);
+    }
+    add("Local", Comparison::Local);
+    add("Decision tree", Comparison::DecisionTree);
+    add("Best for these queries", Comparison::BestForQueries);
+    const DepthHistogram predicted =
+      GetDepthHistogram(tree.GetDepthCounts(), this->Options.Frequency, 3);
+    rows.push_back({ "Entropy bound", -1, GetEntropyBound(predicted), GetEntropyBound(depths) });
+    FillSearchTable(table, rows);
+  }
+
+  double GetMean(std::uint64_t sum) const
+  {
+    return this->FiniteQueries > 0
+      ? static_cast<double>(sum) / static_cast<double>(this->FiniteQueries)
+      : 0.0;
+  }
+
+  vtkHashedOctreeLocateFilter* Self;
+  vtkDataSet* Queries;
+  StartDepthOptions Options;
+  bool IsPiece = false;
+  std::uint64_t FiniteQueries = 0;
+};
+
+vtkHashedOctreeLocateFilter::vtkHashedOctreeLocateFilter()
+{
+  this->SetNumberOfInputPorts(NumberOfPorts);
+  this->SetNumberOfOutputPorts(NumberOfPorts);
+}
+
+int vtkHashedOctreeLocateFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    return 1;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  return 1;
+}
+
+int vtkHashedOctreeLocateFilter::FillOutputPortInformation(
+  int vtkNotUsed(port), vtkInformation* info)
+{
+  // Port 0 depends on the queries, and both ports on whether the points are composite.
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+int vtkHashedOctreeLocateFilter::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* queries = vtkDataObject::GetData(inputVector[1]);
+  if (input == nullptr || queries == nullptr)
+  {
+    return 0;
+  }
+  for (int port = 0; port < NumberOfPorts; ++port)
+  {
+    const int type = vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType()
+      : port == 0                                           ? queries->GetDataObjectType()
+                                                            : VTK_TABLE;
+    vtkDataObjectAlgorithm::SetOutputDataObject(
+      type, outputVector->GetInformationObject(port), /*exact=*/true);
+  }
+  return 1;
+}
+
+int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The executive has copied what the points say of their place, but port 0 is where the queries
+  // are.
+  vtkInformation* queries = inputVector[1]->GetInformationObject(0);
+  vtkInformation* located = outputVector->GetInformationObject(0);
+  located->CopyEntry(queries, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  located->CopyEntry(queries, vtkDataObject::ORIGIN());
+  located->CopyEntry(queries, vtkDataObject::SPACING());
+  return 1;
+}
+
+int vtkHashedOctreeLocateFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  // The executive asks for the extent of the output, which is one of the queries; points on a grid
+  // of their own have to be asked for in theirs.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* points = inputVector[0]->GetInformationObject(0);
+  if (points->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    vtkNew<vtkExtentTranslator> piece;
+    piece->SetWholeExtent(points->Get(Pipeline::WHOLE_EXTENT()));
+    piece->SetPiece(points->Get(Pipeline::UPDATE_PIECE_NUMBER()));
+    piece->SetNumberOfPieces(points->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
+    piece->PieceToExtent();
+    points->Set(Pipeline::UPDATE_EXTENT(), piece->GetExtent(), 6);
+  }
+  return 1;
+}
+
+int vtkHashedOctreeLocateFilter::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return RunReportingProblems(this, outputVector,
+    [&]
+    {
+      Run(this, vtkDataSet::GetData(inputVector[1]))
+        .Execute(vtkDataObject::GetData(inputVector[0]), outputVector);
+    });
+}
+
+void vtkHashedOctreeLocateFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
+  os << indent << "MaxDepth: " << this->MaxDepth << "\n";
+  os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
+  os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
+  os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
+  os << indent << "IncludeEmptyLeaves: " << this->IncludeEmptyLeaves << "\n";
+}

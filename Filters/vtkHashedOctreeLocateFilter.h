@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHashedOctreeLocateFilter
+ * @brief   what searches for query points find in an octree of other points, and what they cost
+ *
+ * Builds the octree of the points of input port 0, the one that vtkHashedOctreeFilter shows, and
+ * searches in it for every query point of input port 1. The models say how often a leaf will be
+ * searched for; this filter says how often it was, and what that cost from each start depth
+ * ("Statistical optimization of octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008,
+ * section 4).
+ *
+ * Input port 0: any vtkPointSet; of composite data sets every block by itself, one tree per block,
+ * in each of which all queries are searched for. Input port 1, required: any vtkDataSet.
+ *
+ * Output port 0, of the kind of the queries: the queries as they are, with point arrays, one value
+ * per query (arrays of the same names are replaced):
+ * - LeafId (vtkIdType): cell of vtkHashedOctreeFilter's port 0 that holds the query, for the same
+ *   tree properties and IncludeEmptyLeaves, and without internal nodes; without empty leaves also
+ *   what vtkHashedOctreePointLocator::GetLeafId() gives. -1 where there is no such cell;
+ * - LeafDepth (int): depth of the leaf, or of the empty cell without a LeafId;
+ * - LeafKey (unsigned 64-bit): its Morton key;
+ * - HitCost (int, active scalars): nodes that the search from the chosen start depth examines;
+ * - RootCost, MedianCost, MeanCost (int): the same from the root, and from the median and the mean
+ *   of the leaves' depths, weighted by FrequencyModel;
+ * - LocalCost (int): from the weighted median of the leaves in the coarse cell around the query;
+ * - DecisionTreeCost (int): where each depth that is looked at is chosen by the outcome of the look
+ *   before, in the order that is optimal for FrequencyModel.
+ * All costs are counted in searches that were made. Queries outside the root count for the leaf
+ * that is nearest to them on each axis. Queries with a coordinate that is not finite have LeafId
+ * -1, LeafDepth -1, LeafKey 0 and costs 0; one warning tells how many there are, and means leave
+ * them out. Field data, one value each: StartDepth (the chosen one), MeanHitCost (over the
+ * queries), BestStartDepth (the one with the least mean cost for these queries, the smallest of
+ * equals).
+ *
+ * Output port 1, vtkTable, a row for each way to search: Root, Median, Mean, Fixed (if chosen),
+ * Local, Decision tree, Best for these queries (from BestStartDepth), and last Entropy bound, which
+ * no search goes below that starts, and goes on, without regard to the position (Local may).
+ * Columns:
+ * - Model (string);
+ * - StartDepth (int): the depth that is looked at first; -1 of Local and the bound, which have
+ * none;
+ * - PredictedMean (double): mean nodes examined when leaves are searched for as FrequencyModel
+ * says;
+ * - MeasuredMean (double): mean nodes examined over the queries; of the bound, that of their
+ * depths.
+ *
+ * Progress, abort, threads, points that are not finite, empty inputs and distributed data: as in
+ * vtkHashedOctreeFilter; but the local start depths are chosen in one pass over the nodes, during
+ * which no abort is heeded. Of composite queries VTK runs the filter for each block. No queries, or
+ * none with finite coordinates, are an error, but for a piece of a distributed data set. There
+ * every process searches for its own queries in the tree of its own points; one without points
+ * gives nothing back, so bring the points to where the queries are.
+ */
+
+#ifndef vtkHashedOctreeLocateFilter_h
+#define vtkHashedOctreeLocateFilter_h
+
+#include "HashedOctreeFiltersModule.h" // For export macro
+#include "vtkDataObjectAlgorithm.h"
+
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeLocateFilter : public vtkDataObjectAlgorithm
+{
+public:
+  static vtkHashedOctreeLocateFilter* New();
+  vtkTypeMacro(vtkHashedOctreeLocateFilter, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** How often a leaf is taken to be searched for: once, once for each of its points, or in
+   * proportion to its volume (paper section 4). */
+  enum FrequencyModels
+  {
+    Leaves = 0,
+    Points = 1,
+    Grid = 2
+  };
+
+  /** Where the search that HitCost counts starts: at the weighted median of the leaves' depths, at
+   * their weighted mean to the nearest depth, at the root, or at FixedStartDepth. */
+  enum StartDepthModels
+  {
+    Median = 0,
+    Mean = 1,
+    Root = 2,
+    Fixed = 3
+  };
+
+  ///@{
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
+  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaxPointsPerLeaf, int);
+  ///@}
+
+  ///@{
+  /** Depth below which nothing is split, in [0, 21]; default 21. */
+  vtkSetClampMacro(MaxDepth, int, 0, 21);
+  vtkGetMacro(MaxDepth, int);
+  ///@}
+
+  ///@{
+  /** One of FrequencyModels; default Leaves. */
+  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
+  vtkGetMacro(FrequencyModel, int);
+  ///@}
+
+  ///@{
+  /** One of StartDepthModels; default Median. */
+  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
+  vtkGetMacro(StartDepthModel, int);
+  ///@}
+
+  ///@{
+  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
+  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
+  vtkGetMacro(FixedStartDepth, int);
+  ///@}
+
+  ///@{
+  /** Whether leaves without points have a LeafId, too, so that only queries that are not finite
+   * have none. Default off. */
+  vtkSetMacro(IncludeEmptyLeaves, bool);
+  vtkGetMacro(IncludeEmptyLeaves, bool);
+  vtkBooleanMacro(IncludeEmptyLeaves, bool);
+  ///@}
+
+protected:
+  vtkHashedOctreeLocateFilter();
+  ~vtkHashedOctreeLocateFilter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  vtkHashedOctreeLocateFilter(const vtkHashedOctreeLocateFilter&) = delete;
+  void operator=(const vtkHashedOctreeLocateFilter&) = delete;
+
+  class Run;
+
+  int MaxPointsPerLeaf = 1;
+  int MaxDepth = 21;
+  int FrequencyModel = Leaves;
+  int StartDepthModel = Median;
+  int FixedStartDepth = 0;
+  bool IncludeEmptyLeaves = false;
+};
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "SameOutputs.h"
+#include "TestedLocateFilter.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+namespace
+{
+/** Stops an algorithm once its progress reaches a fraction. */
+class Stop
+{
+public:
+  Stop(vtkAlgorithm* algorithm, double fraction)
+    : Algorithm(algorithm)
+    , Fraction(fraction)
+    , Observer(algorithm->AddObserver(vtkCommand::ProgressEvent, this, &Stop::Look))
+  {
+  }
+  ~Stop() { this->Algorithm->RemoveObserver(this->Observer); }
+  Stop(const Stop&) = delete;
+  void operator=(const Stop&) = delete;
+
+private:
+  void Look(vtkObject*, unsigned long, void* progress)
+  {
+    if (*static_cast<const double*>(progress) >= this->Fraction)
+    {
+      this->Algorithm->SetAbortExecute(1);
+    }
+  }
+
+  vtkAlgorithm* Algorithm;
+  double Fraction;
+  unsigned long Observer;
+};
+
+vtkSmartPointer<vtkPolyData> MakeMany(unsigned seed)
+{
+  return MakePolyData(MakeUniformPoints<3, double>(100000, seed));
+}
+}
+
+TEST(TestHashedOctreeLocateFilterExecution, ProgressMovesThroughTheWholeRun)
+{
+  TestedLocateFilter filter(MakeMany(360), MakeMany(361));
+  filter.Update();
+  EXPECT_TRUE(std::is_sorted(filter.Progress.begin(), filter.Progress.end()));
+  EXPECT_EQ(filter.Progress.front(), 0.0);
+  EXPECT_EQ(filter.Progress.back(), 1.0);
+  for (std::size_t i = 1; i < filter.Progress.size(); ++i)
+  {
+    EXPECT_LE(filter.Progress[i] - filter.Progress[i - 1], 0.25) << filter.Progress[i];
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUpdateSucceeds)
+{
+  TestedLocateFilter filter(MakeMany(362), MakeMany(363));
+  for (const double fraction : { 0.0, 0.1, 0.25, 0.4, 0.5, 0.8 })
+  {
+    SCOPED_TRACE(fraction);
+    filter->Modified();
+    {
+      const Stop stop(filter.GetFilter(), fraction);
+      filter.Update();
+    }
+    filter.ExpectEmptyOutputs();
+    filter->SetAbortExecute(0);
+    filter->Modified();
+    filter.Update();
+    EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 100000);
+    EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 7);
+  }
+  EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+}
+
+TEST(TestHashedOctreeLocateFilterExecution, AnyNumberOfThreadsGivesTheSame)
+{
+  const auto points = MakeMany(364);
+  const auto queries = MakeMany(365);
+  TestedLocateFilter expected(points, queries);
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config{ 1, "Sequential", false }, [&expected] { expected.Update(); });
+  for (const int threads : { 1, 2, 8 }) // VTK takes no more than the machine has.
+  {
+    TestedLocateFilter filter(points, queries);
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config{ threads, "STDThread", false }, [&filter] { filter.Update(); });
+    ExpectSameArrays(filter.GetLocated()->GetPointData(), expected.GetLocated()->GetPointData());
+    ExpectSameArrays(filter.GetLocated()->GetFieldData(), expected.GetLocated()->GetFieldData());
+    for (const char* column : { "StartDepth", "PredictedMean", "MeasuredMean" })
+    {
+      ExpectSameArray(vtkDataArray::SafeDownCast(filter.GetTable()->GetColumnByName(column)),
+        vtkDataArray::SafeDownCast(expected.GetTable()->GetColumnByName(column)), column);
+    }
+  }
+}

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "SameOutputs.h"
+#include "TestedLocateFilter.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkSphereSource.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace
+{
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+vtkSmartPointer<vtkPolyData> MakeUniform(std::size_t count, unsigned seed)
+{
+  return MakePolyData(MakeUniformPoints<3, double>(count, seed));
+}
+
+/** After an error the same filter must do its work as if nothing had happened. */
+void ExpectToWorkAgain(TestedLocateFilter& filter)
+{
+  filter->SetInputData(0, MakeUniform(50, 340));
+  filter->SetInputData(1, MakeUniform(20, 341));
+  filter.Update();
+  EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 20);
+  EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 7);
+  EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+}
+
+/** The same values of all arrays that the filter makes, for queries at the same places. */
+void ExpectSameLocations(TestedLocateFilter& filter, TestedLocateFilter& other)
+{
+  for (const char* name : { "LeafId", "LeafDepth", "LeafKey", "HitCost", "RootCost", "MedianCost",
+         "MeanCost", "LocalCost", "DecisionTreeCost" })
+  {
+    ExpectSameArray(filter.GetLocated()->GetPointData()->GetArray(name),
+      other.GetLocated()->GetPointData()->GetArray(name), name);
+  }
+}
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, NoPointsAreAnError)
+{
+  for (const auto& empty : { MakePolyData({}), vtkSmartPointer<vtkPolyData>::New() })
+  {
+    TestedLocateFilter filter(empty, MakeUniform(10, 342));
+    filter.UpdateInError("The input has no points");
+    ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, NoQueriesAreAnError)
+{
+  for (const auto& empty : { MakePolyData({}), vtkSmartPointer<vtkPolyData>::New() })
+  {
+    TestedLocateFilter filter(MakeUniform(10, 343), empty);
+    filter.UpdateInError("no query points");
+    ExpectToWorkAgain(filter);
+    filter->SetInputData(1, empty); // Nothing of the run before is left.
+    filter.UpdateInError("no query points");
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, NoFiniteQueryIsAnError)
+{
+  TestedLocateFilter filter(
+    MakeUniform(10, 344), MakePolyData({ NotANumber, 0, 0, 0, Infinity, 0, 0, 0, -Infinity }));
+  filter.UpdateInError("No query point has finite coordinates");
+  ExpectToWorkAgain(filter);
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, BothInputsAreRequired)
+{
+  for (const int missing : { 0, 1 })
+  {
+    TestedLocateFilter filter;
+    filter->SetInputData(1 - missing, MakeUniform(10, 345));
+    EXPECT_FALSE(filter->GetExecutive()->Update());
+    EXPECT_EQ(filter.PipelineErrors.size(), 1U);
+    filter.PipelineErrors.clear();
+    ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, AnEmptyPieceIsNoError)
+{
+  for (const int empty : { 0, 1 })
+  {
+    TestedLocateFilter filter;
+    filter->SetInputData(empty, MakePolyData({}));
+    filter->SetInputData(1 - empty, MakeUniform(10, 346));
+    filter->UpdatePiece(1, 4, 0);
+    EXPECT_EQ(filter.Errors, std::vector<std::string>());
+    EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+    EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+    EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 0);
+    if (empty == 1)
+    {
+      EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), 0);
+      EXPECT_EQ(filter.GetTableValue("Root", "MeasuredMean"), 0);
+    }
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, QueriesThatAreNotFiniteHaveNoLeaf)
+{
+  for (const int type : { VTK_DOUBLE, VTK_FLOAT })
+  {
+    const auto points = MakeUniform(500, 347);
+    const std::vector<double> good = MakeUniformPoints<3, double>(30, 348);
+    std::vector<double> all{ NotANumber, 0.5, 0.5, 0.5, Infinity, 0.5 };
+    all.insert(all.end(), good.begin(), good.end());
+    all.insert(all.end(), { 0.5, 0.5, -Infinity });
+    TestedLocateFilter filter(points, MakePolyData(all, type));
+    filter->IncludeEmptyLeavesOn();
+    filter.Update();
+    ASSERT_EQ(filter.Warnings.size(), 1U);
+    EXPECT_NE(filter.Warnings[0].find("3 of 33 query points"), std::string::npos)
+      << filter.Warnings[0];
+    TestedLocateFilter ofGood(points, MakePolyData(good, type));
+    ofGood->IncludeEmptyLeavesOn();
+    ofGood.Update();
+    for (const char* array : { "LeafId", "LeafDepth", "LeafKey", "HitCost", "RootCost",
+           "MedianCost", "MeanCost", "LocalCost", "DecisionTreeCost" })
+    {
+      const bool isOfLeaf = array == std::string("LeafId") || array == std::string("LeafDepth");
+      for (const vtkIdType query : { 0, 1, 32 })
+      {
+        EXPECT_EQ(filter.Get(array, query), isOfLeaf ? -1 : 0) << array;
+      }
+      for (vtkIdType query = 0; query < 30; ++query)
+      {
+        EXPECT_EQ(filter.Get(array, query + 2), ofGood.Get(array, query)) << array;
+      }
+    }
+    ExpectSameArrays(filter.GetLocated()->GetFieldData(), ofGood.GetLocated()->GetFieldData());
+    for (const char* model : { "Root", "Median", "Local", "Best for these queries" })
+    {
+      EXPECT_EQ(
+        filter.GetTableValue(model, "MeasuredMean"), ofGood.GetTableValue(model, "MeasuredMean"));
+    }
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, PointsThatAreNotFiniteAreLeftOut)
+{
+  TestedLocateFilter filter(
+    MakePolyData({ NotANumber, 0, 0, 0, 0, 0, 1, 1, 1 }), MakeUniform(10, 349));
+  filter.Update();
+  ASSERT_EQ(filter.Warnings.size(), 1U);
+  EXPECT_NE(filter.Warnings[0].find("1 of 3 points"), std::string::npos) << filter.Warnings[0];
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, QueriesFarAwayAreInTheNearestLeaf)
+{
+  const double most = std::numeric_limits<double>::max();
+  // A leaf in each octant, in key order: x is the high bit.
+  std::vector<double> corners;
+  for (unsigned octant = 0; octant < 8; ++octant)
+  {
+    corners.insert(
+      corners.end(), { octant & 4U ? 1.0 : 0.0, octant & 2U ? 1.0 : 0.0, octant & 1U ? 1.0 : 0.0 });
+  }
+  TestedLocateFilter filter(MakePolyData(corners),
+    MakePolyData({ -9, -9, -9, 9, -9, 0.2, most, most, most, 0.2, 0.8, -most }));
+  filter.Update();
+  const std::vector<std::int64_t> expected{ 0, 4, 7, 2 };
+  for (vtkIdType query = 0; query < 4; ++query)
+  {
+    EXPECT_EQ(filter.Get("LeafId", query), expected[static_cast<std::size_t>(query)]);
+    EXPECT_EQ(filter.Get("LeafKey", query), 8 + expected[static_cast<std::size_t>(query)]);
+    EXPECT_EQ(filter.Get("LeafDepth", query), 1);
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, OnePointIsFoundAtTheRoot)
+{
+  TestedLocateFilter filter(MakePolyData({ 1, 2, 3 }), MakePolyData({ 4, 5, 6, 1, 2, 3 }));
+  filter.Update();
+  for (vtkIdType query = 0; query < 2; ++query)
+  {
+    EXPECT_EQ(filter.Get("LeafId", query), 0);
+    EXPECT_EQ(filter.Get("LeafDepth", query), 0);
+    EXPECT_EQ(filter.Get("LeafKey", query), 1);
+    EXPECT_EQ(filter.Get("LocalCost", query), 1);
+    EXPECT_EQ(filter.Get("DecisionTreeCost", query), 1);
+  }
+  EXPECT_EQ(filter.GetTableValue("Local", "PredictedMean"), 1);
+  EXPECT_EQ(filter.GetTableValue("Entropy bound", "MeasuredMean"), 0);
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, QueriesAreGivenBackWithAllThatTheyHave)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  vtkNew<vtkPolyData> queries;
+  queries->DeepCopy(sphere->GetOutput());
+  vtkNew<vtkDoubleArray> heat;
+  heat->SetName("Heat");
+  heat->SetNumberOfValues(queries->GetNumberOfPoints());
+  heat->FillValue(7.0);
+  vtkNew<vtkDoubleArray> stale; // Of an earlier run, say.
+  stale->DeepCopy(heat);
+  stale->SetName("LeafId");
+  queries->GetPointData()->AddArray(heat);
+  queries->GetPointData()->AddArray(stale);
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("OfCells");
+  ofCells->SetNumberOfValues(queries->GetNumberOfCells());
+  queries->GetCellData()->AddArray(ofCells);
+  queries->GetFieldData()->AddArray(heat);
+
+  TestedLocateFilter filter(MakeUniform(100, 350), queries);
+  filter.Update();
+  auto* located = vtkPolyData::SafeDownCast(filter.GetLocated());
+  ASSERT_NE(located, nullptr);
+  EXPECT_EQ(located->GetPoints(), queries->GetPoints()) << "no copy";
+  EXPECT_EQ(located->GetPolys(), queries->GetPolys());
+  EXPECT_EQ(located->GetPointData()->GetArray("Heat"), heat);
+  EXPECT_EQ(located->GetPointData()->GetNormals(), queries->GetPointData()->GetNormals());
+  EXPECT_EQ(located->GetPointData()->GetArray("LeafId")->GetDataType(), VTK_ID_TYPE);
+  EXPECT_STREQ(located->GetPointData()->GetScalars()->GetName(), "HitCost");
+  EXPECT_EQ(located->GetCellData()->GetArray("OfCells"), ofCells);
+  EXPECT_EQ(located->GetFieldData()->GetArray("Heat"), heat);
+  EXPECT_EQ(located->GetFieldData()->GetNumberOfArrays(), 4);
+  EXPECT_EQ(queries->GetPointData()->GetNumberOfArrays(), 3) << "the input is left alone";
+  EXPECT_EQ(queries->GetPointData()->GetArray("LeafId"), stale);
+  EXPECT_EQ(queries->GetFieldData()->GetNumberOfArrays(), 1);
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, QueriesMayBeOfAnyKind)
+{
+  const auto points = MakeUniform(500, 351);
+  vtkNew<vtkImageData> image;
+  image->SetExtent(3, 7, 0, 5, -2, 2);
+  image->SetSpacing(0.11, 0.17, 0.19);
+  image->SetOrigin(0.1, 0.2, 0.3);
+  vtkNew<vtkPoints> places;
+  places->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    places->InsertNextPoint(image->GetPoint(i));
+  }
+  vtkNew<vtkStructuredGrid> structured;
+  structured->SetExtent(image->GetExtent());
+  structured->SetPoints(places);
+  vtkNew<vtkUnstructuredGrid> unstructured;
+  unstructured->SetPoints(places);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(places);
+
+  TestedLocateFilter ofCloud(points, cloud);
+  ofCloud.Update();
+  TestedLocateFilter filter(points, nullptr);
+  for (vtkDataSet* queries : std::initializer_list<vtkDataSet*>{ image, structured, unstructured })
+  {
+    SCOPED_TRACE(queries->GetClassName());
+    filter->SetInputData(1, queries);
+    filter.Update();
+    EXPECT_STREQ(filter.GetLocated()->GetClassName(), queries->GetClassName());
+    EXPECT_EQ(filter.GetLocated()->GetNumberOfCells(), queries->GetNumberOfCells());
+    ExpectSameLocations(filter, ofCloud);
+    filter->UpdateWholeExtent();
+    EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+    EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), places->GetNumberOfPoints());
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, TellsThePipelineWhereTheQueriesAre)
+{
+  vtkNew<vtkStructuredGrid> points;
+  points->SetDimensions(2, 2, 1);
+  points->SetPoints(MakePoints({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }));
+  vtkNew<vtkImageData> queries;
+  queries->SetExtent(3, 7, 0, 5, -2, 2);
+  queries->SetSpacing(0.11, 0.17, 0.19);
+  queries->SetOrigin(0.1, 0.2, 0.3);
+  TestedLocateFilter filter(points, queries);
+  filter.Update();
+  vtkInformation* information = filter->GetOutputInformation(0);
+  const int* extent = information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+  ASSERT_NE(extent, nullptr);
+  EXPECT_TRUE(std::equal(extent, extent + 6, queries->GetExtent()));
+  const double* origin = information->Get(vtkDataObject::ORIGIN());
+  const double* spacing = information->Get(vtkDataObject::SPACING());
+  ASSERT_TRUE(origin && spacing);
+  EXPECT_TRUE(std::equal(origin, origin + 3, queries->GetOrigin()));
+  EXPECT_TRUE(std::equal(spacing, spacing + 3, queries->GetSpacing()));
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, AsksForPointsOnAGridInTheirOwnExtent)
+{
+  vtkNew<vtkStructuredGrid> points;
+  points->SetDimensions(5, 2, 1);
+  points->SetPoints(MakePoints(MakeUniformPoints<3, double>(10, 357)));
+  vtkNew<vtkImageData> queries;
+  queries->SetExtent(3, 7, 0, 5, -2, 2);
+  TestedLocateFilter filter(points, queries);
+  const auto getRequested = [&filter](int piece, int numberOfPieces)
+  {
+    filter->UpdatePiece(piece, numberOfPieces, 0);
+    const int* extent =
+      filter->GetInputInformation(0, 0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
+    return std::vector<int>(extent, extent + 6);
+  };
+  EXPECT_EQ(getRequested(0, 1), std::vector<int>({ 0, 4, 0, 1, 0, 0 }));
+  EXPECT_EQ(getRequested(0, 2), std::vector<int>({ 0, 2, 0, 1, 0, 0 }));
+  EXPECT_EQ(getRequested(1, 2), std::vector<int>({ 2, 4, 0, 1, 0, 0 }));
+  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, EachBlockOfPointsHasItsTree)
+{
+  const auto first = MakeUniform(100, 352);
+  const auto second = MakeUniform(2000, 353);
+  const auto queries = MakePolyData({ NotANumber, 0, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6 });
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, MakePolyData({}));
+  blocks->SetBlock(2, second);
+  TestedLocateFilter filter(blocks, queries);
+  filter.UpdateWithoutErrors();
+  EXPECT_EQ(filter.Warnings.size(), 1U) << "once for all trees";
+  for (int port = 0; port < 2; ++port)
+  {
+    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(port));
+    ASSERT_NE(output, nullptr);
+    ASSERT_EQ(output->GetNumberOfBlocks(), 3U);
+    EXPECT_EQ(output->GetBlock(1), nullptr);
+    for (const unsigned block : { 0U, 2U })
+    {
+      TestedLocateFilter alone(block == 0 ? first : second, queries);
+      alone.Update();
+      if (port == 0)
+      {
+        auto* located = vtkDataSet::SafeDownCast(output->GetBlock(block));
+        ASSERT_NE(located, nullptr);
+        ExpectSameArrays(located->GetPointData(), alone.GetLocated()->GetPointData());
+        ExpectSameArrays(located->GetFieldData(), alone.GetLocated()->GetFieldData());
+      }
+      else
+      {
+        auto* table = vtkTable::SafeDownCast(output->GetBlock(block));
+        ASSERT_NE(table, nullptr);
+        EXPECT_EQ(table->GetValueByName(1, "MeasuredMean").ToDouble(),
+          alone.GetTableValue("Median", "MeasuredMean"));
+      }
+    }
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, BlocksOfQueriesAreTakenOneByOne)
+{
+  const auto points = MakeUniform(100, 354);
+  const auto first = MakeUniform(10, 355);
+  const auto second = MakeUniform(20, 356);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(2, second);
+  TestedLocateFilter filter(points, blocks);
+  filter.UpdateWithoutErrors();
+  auto* located = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  auto* tables = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
+  ASSERT_TRUE(located && tables);
+  for (const unsigned block : { 0U, 2U })
+  {
+    TestedLocateFilter alone(points, block == 0 ? first : second);
+    alone.Update();
+    auto* queries = vtkDataSet::SafeDownCast(located->GetBlock(block));
+    ASSERT_NE(queries, nullptr);
+    ExpectSameArrays(queries->GetPointData(), alone.GetLocated()->GetPointData());
+    ASSERT_NE(vtkTable::SafeDownCast(tables->GetBlock(block)), nullptr);
+  }
+}
