@@ -23,7 +23,7 @@ struct Interrupted
  *
  * Progress is told a fraction in [0, 1] that never falls, always on the thread that called For(),
  * and answers whether to go on; when it answers no, For() throws Interrupted. For() runs
- * BatchGrains grains between two reports, so that a stop is heeded soon.
+ * BatchGrains grains between two reports, so that a stop is heeded soon; without reports, all.
  */
 class Execution
 {
@@ -65,7 +65,8 @@ public:
   void For(std::size_t count, std::size_t grain, const Body& body, double from = 0.0,
     double to = 1.0) const
   {
-    const std::size_t batch = grain * BatchGrains;
+    // A call may start and join threads, which only reports make worth while.
+    const std::size_t batch = this->Report ? grain * BatchGrains : count;
     for (std::size_t first = 0; first < count; first += batch)
     {
       const std::size_t last = std::min(count, first + batch);
