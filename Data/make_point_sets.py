@@ -36,7 +36,7 @@ def random_cube(rng, count):
     return rng.random((count, 3))
 
 
-def project(points, field, steps=6, chunk=1 << 15):
+def project(points, field, steps=4, chunk=1 << 14):
     """Moves points to where a field vanishes, by Newton's steps along its gradient; those that arrive, with the
     normals there. In chunks that stay in the cache."""
     found, normals = [], []
@@ -77,8 +77,8 @@ def scan(rng, count, field):
 
 def blob_scan(rng, count):
     """Of a body of rounded limbs."""
-    centers = 0.5 * unit_vectors(rng, 10) * rng.random((10, 1)) ** 0.3
-    sharpness = 1 / rng.uniform(0.12, 0.3, 10) ** 2
+    centers = 0.5 * unit_vectors(rng, 6) * rng.random((6, 1)) ** 0.3
+    sharpness = 1 / rng.uniform(0.15, 0.35, 6) ** 2
 
     def field(x):
         return sum(np.exp(-k * ((x - c) ** 2).sum(axis=1)) for c, k in zip(centers, sharpness)) - 0.5
