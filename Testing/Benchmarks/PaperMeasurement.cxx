@@ -2,6 +2,7 @@
 #include "PaperMeasurement.h"
 
 #include "DepthDecisionTree.h"
+#include "ForEachNode.h"
 #include "PaperWorkloads.h"
 #include "StartDepths.h"
 
@@ -51,8 +52,8 @@ void MeasureBuilds(const std::vector<float>& points, int repetitions, PaperTrees
   for (std::size_t i = 0; i < NumberOfStructures; ++i)
   {
     const Spread before = i == OursBuilt ? Spread() : sorting;
-    results.Builds[i] = { before.Median + times[i].Median, before.Lowest + times[i].Lowest,
-      before.Highest + times[i].Highest };
+    results.Builds[i] = { before.Median + times[i].Median, before.Lower + times[i].Lower,
+      before.Upper + times[i].Upper };
   }
   results.Bytes = { trees.Pointers->GetBytes(), trees.BrotherChild->GetBytes(),
     trees.WithParents->GetBytes(), trees.Paper->GetBytes(), trees.PaperMixing->GetBytes(),
@@ -108,18 +109,12 @@ double GetLocalCost(const Octree<3>& tree)
   const hashedoctree::StartDepths<3> starts(
     tree, { hashedoctree::StartDepthModel::Local, FrequencyModel::Leaves, 0 });
   std::size_t examined = 0;
-  for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
-  {
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+  ForEachLeaf(tree,
+    [&](const Octree<3>::Node& leaf)
     {
-      const auto node = tree.GetChild(block, octant);
-      if (!node.Internal)
-      {
-        const int startDepth = starts.Get(node.NodeKey.GetFirstAtMaxDepth());
-        examined += 1 + static_cast<std::size_t>(std::abs(node.NodeKey.GetDepth() - startDepth));
-      }
-    }
-  }
+      const int startDepth = starts.Get(leaf.NodeKey.GetFirstAtMaxDepth());
+      examined += 1 + static_cast<std::size_t>(std::abs(leaf.NodeKey.GetDepth() - startDepth));
+    });
   return static_cast<double>(examined) / static_cast<double>(tree.GetNumberOfLeaves());
 }
 

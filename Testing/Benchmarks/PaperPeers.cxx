@@ -11,7 +11,6 @@ namespace paper_benchmark
 namespace
 {
 using hashedoctree::Grid;
-using Placed8 = PlacedNode<3, Tree8::Node>;
 
 template <typename Tree>
 PlacedNode<3, typename Tree::Node> FindFromRoot(const Tree& tree, const hashedoctree::Cell<3>& x)

@@ -93,8 +93,9 @@ void WriteConditions(std::ostream& out, const std::vector<PaperResults>& sets, i
       << std::thread::hardware_concurrency()
       << " threads, of which one is used; the paper's: Pentium IV, 3 GHz\n- Compiler: "
       << HASHEDOCTREE_COMPILER << "\n- Times: medians of " << repetitions
-      << " repetitions, structures in turns; the spread is the largest, over all sets, of (highest "
-         "- lowest) / median\n- Trees: one point per leaf to depth 21, empty leaves are nodes; all "
+      << " repetitions, structures in turns; the spread is the width of the middle half over the "
+         "median, the largest of all sets\n- Trees: one point per leaf to depth 21, empty leaves "
+         "are nodes; all "
          "structures have the same leaves\n- Point sets: made by Data/make_point_sets.py as "
          "stand-ins for the paper's, see Data/README.md; the points are in random order there\n";
   std::size_t checked = 0;
@@ -204,7 +205,7 @@ void WriteTable2(std::ostream& out, const std::vector<PaperResults>& sets)
       const auto spread = [=](const PaperResults& set)
       {
         const Spread& time = set.Times[kind][peer];
-        return 100.0 * (time.Highest - time.Lowest) / time.Median;
+        return 100.0 * (time.Upper - time.Lower) / time.Median;
       };
       spreads.push_back(Format(Summarise(sets, spread).Highest, 0));
     }

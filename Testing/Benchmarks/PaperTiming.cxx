@@ -20,10 +20,9 @@ std::vector<Spread> TimeInTurns(
   for (std::vector<double>& times : seconds)
   {
     std::sort(times.begin(), times.end());
-    const std::size_t middle = times.size() / 2;
-    const double median =
-      times.size() % 2 == 1 ? times[middle] : (times[middle - 1] + times[middle]) / 2.0;
-    spreads.push_back({ median, times.front(), times.back() });
+    const std::size_t last = times.size() - 1;
+    const double median = (times[last / 2] + times[last - last / 2]) / 2.0;
+    spreads.push_back({ median, times[last / 4], times[last - last / 4] });
   }
   return spreads;
 }

@@ -8,12 +8,13 @@
 
 namespace paper_benchmark
 {
-/** Of repeated measurements, in seconds. */
+/** Of repeated measurements, in seconds: the median, and between which times the middle half of
+ * them lies. */
 struct Spread
 {
   double Median = 0.0;
-  double Lowest = 0.0;
-  double Highest = 0.0;
+  double Lower = 0.0;
+  double Upper = 0.0;
 };
 
 /** How long a call takes. */

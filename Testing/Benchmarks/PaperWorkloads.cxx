@@ -2,6 +2,7 @@
 #include "PaperWorkloads.h"
 
 #include "DirectSearch.h"
+#include "ForEachNode.h"
 #include "PaperMeasurement.h"
 
 namespace paper_benchmark
@@ -26,17 +27,14 @@ std::vector<Key> MakeLeafKeys(const Octree<3>& tree)
   const std::size_t step = (tree.GetNumberOfLeaves() - 1) / MaxLeafSearches + 1;
   std::size_t number = 0;
   std::vector<Key> keys;
-  for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
-  {
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+  ForEachLeaf(tree,
+    [&](const Octree<3>::Node& leaf)
     {
-      const auto node = tree.GetChild(block, octant);
-      if (!node.Internal && number++ % step == 0)
+      if (number++ % step == 0)
       {
-        keys.push_back(node.NodeKey.GetFirstAtMaxDepth());
+        keys.push_back(leaf.NodeKey.GetFirstAtMaxDepth());
       }
-    }
-  }
+    });
   return keys;
 }
 

@@ -66,7 +66,7 @@ protected:
   template <typename Function>
   static void ForSomeLeaves(const Octree<Dim>& tree, const Function& function)
   {
-    for (const Key key : PickNodes(tree, 16))
+    for (const Key key : PickNodes(tree, 12))
     {
       if (key != Key::Root() && !tree.FindNode(key)->Internal)
       {
@@ -128,7 +128,7 @@ protected:
     ForEachLeaf(tree,
       [&](const Leaf& leaf)
       {
-        for (int startDepth = 0; startDepth <= Key::MaxDepth; startDepth += 3)
+        for (int startDepth = 0; startDepth <= Key::MaxDepth; startDepth += 5)
         {
           const auto* found = hashed.FindLeaf(leaf.NodeKey.GetLastAtMaxDepth(), startDepth);
           ASSERT_EQ(found->Key, leaf.NodeKey.GetValue());
