@@ -86,20 +86,18 @@ public:
   void FindAdjacent(Key node, int startDepth, std::vector<Key>& found) const
   {
     found.clear();
-    const hashedoctree::Cell<Dim> home = node.GetCell();
-    const int depth = node.GetDepth();
-    for (unsigned axes = 1; axes < Key::NumberOfOctants; ++axes)
-    {
-      for (unsigned upper = 0; upper <= axes; ++upper)
+    NodesAround around;
+    ForEachCellAround(node,
+      [&](Key cell, Direction direction)
       {
-        hashedoctree::Cell<Dim> cell = home;
-        if ((upper & ~axes) == 0 && Step(cell, depth, axes, upper))
+        if (cell != node)
         {
-          const hashedoctree::NeighborDirection<Dim> direction{ axes, upper };
-          this->AddNeighbors(
-            Key::FromCell(cell, depth), startDepth, direction.GetTouchingOctants(), found);
+          this->Look(cell, direction, startDepth, around, found);
         }
-      }
+      });
+    for (std::size_t i = 0; i < around.Count; ++i)
+    {
+      this->AddTouching(*around.Nodes[i], around.Directions[i].GetTouchingOctants(), found);
     }
   }
 
@@ -113,19 +111,20 @@ public:
   {
     found.clear();
     const hashedoctree::NodeBall<Dim> ball(this->RootGrid, node, radius);
-    const int depth = this->GetRingDepth(node.GetDepth(), radius);
-    const Key ancestor(node.GetValue() >> (Dim * (node.GetDepth() - depth)));
-    const hashedoctree::Cell<Dim> home = ancestor.GetCell();
-    for (unsigned axes = 0; axes < Key::NumberOfOctants; ++axes)
-    {
-      for (unsigned upper = 0; upper <= axes; ++upper)
+    const int depth = node.GetDepth();
+    const Key middle(node.GetValue() >> (Dim * (depth - this->GetRingDepth(depth, radius))));
+    NodesAround around;
+    ForEachCellAround(middle,
+      [&](Key cell, Direction direction)
       {
-        hashedoctree::Cell<Dim> cell = home;
-        if ((upper & ~axes) == 0 && Step(cell, depth, axes, upper))
+        if (cell != node && Meets(ball, cell))
         {
-          this->AddInBall(Key::FromCell(cell, depth), node, ball, startDepth, found);
+          this->Look(cell, direction, startDepth, around, found);
         }
-      }
+      });
+    for (std::size_t i = 0; i < around.Count; ++i)
+    {
+      this->AddInBall(*around.Nodes[i], node, ball, found);
     }
   }
 
@@ -150,6 +149,17 @@ public:
 
 private:
   friend class SortedPoints<Dim>;
+  using Direction = hashedoctree::NeighborDirection<Dim>;
+
+  /** The set s of Algorithm 2: nodes around a node, at its depth, and where they lie. */
+  struct NodesAround
+  {
+    static constexpr std::size_t MostNodes = Dim == 4 ? 81 : Dim == 3 ? 27 : Dim == 2 ? 9 : 3;
+    std::array<const Node*, MostNodes> Nodes;
+    std::array<Direction, MostNodes> Directions;
+    std::size_t Count = 0;
+  };
+
   void MakeLeaf(Key key, const Point* data)
   {
     this->Table.Insert({ key.GetValue(), data, 0, true });
@@ -161,19 +171,43 @@ private:
   }
   static Key GetChild(Key parent, unsigned octant) { return parent.GetChild(octant); }
 
-  /** Moves a cell by one along some axes, up or down; false where that is outside the root. */
-  static bool Step(hashedoctree::Cell<Dim>& cell, int depth, unsigned axes, unsigned upper)
+  /** Calls function(cell, direction) for a cell and those of its size around it in the root. */
+  template <typename Function>
+  static void ForEachCellAround(Key middle, const Function& function)
+  {
+    const int depth = middle.GetDepth();
+    const hashedoctree::Cell<Dim> home = middle.GetCell();
+    for (unsigned axes = 0; axes < Key::NumberOfOctants; ++axes)
+    {
+      for (unsigned upper = 0; upper <= axes; ++upper)
+      {
+        hashedoctree::Cell<Dim> cell = home;
+        if ((upper & ~axes) == 0 && Step(cell, depth, { axes, upper }))
+        {
+          function(Key::FromCell(cell, depth), Direction{ axes, upper });
+        }
+      }
+    }
+  }
+
+  /** Moves a cell by one; false where that is outside the root. */
+  static bool Step(hashedoctree::Cell<Dim>& cell, int depth, Direction direction)
   {
     for (int axis = 0; axis < Dim; ++axis)
     {
       const unsigned bit = 1U << (Dim - 1 - axis);
-      cell[axis] += (axes & bit) == 0 ? 0U : (upper & bit) != 0 ? 1U : 0U - 1U;
+      cell[axis] += (direction.Axes & bit) == 0 ? 0U : (direction.Upper & bit) != 0 ? 1U : 0U - 1U;
       if (cell[axis] >> depth != 0)
       {
         return false;
       }
     }
     return true;
+  }
+
+  static bool Meets(const hashedoctree::NodeBall<Dim>& ball, Key cell)
+  {
+    return ball.GetSide(cell.GetCell(), cell.GetDepth()) != hashedoctree::BallSide::Outside;
   }
 
   int GetRingDepth(int nodeDepth, double radius) const
@@ -191,61 +225,56 @@ private:
     return depth;
   }
 
-  /** Case 3, with the start depth of E5: the leaf above, unless it is there already. */
-  void AddLeafAbove(Key key, int startDepth, std::vector<Key>& found) const
-  {
-    const Node* leaf =
-      this->FindLeaf(key.GetFirstAtMaxDepth(), std::min(startDepth, key.GetDepth() - 1));
-    if (std::find(found.begin(), found.end(), Key(leaf->Key)) == found.end())
-    {
-      found.emplace_back(leaf->Key);
-    }
-  }
-
-  void AddNeighbors(
-    Key key, int startDepth, hashedoctree::OctantMask<Dim> touching, std::vector<Key>& found) const
-  {
-    const Node* node = this->Find(key);
-    if (node == nullptr)
-    {
-      this->AddLeafAbove(key, startDepth, found);
-    }
-    else if (node->Leaf)
-    {
-      found.push_back(key);
-    }
-    else
-    {
-      for (unsigned rest = touching; rest != 0; rest &= rest - 1)
-      {
-        const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
-        this->AddNeighbors(key.GetChild(octant), startDepth, touching, found);
-      }
-    }
-  }
-
-  void AddInBall(Key key, Key home, const hashedoctree::NodeBall<Dim>& ball, int startDepth,
+  /** Cases 1 and 2: the node of a cell is listed, to go on from. Case 3, with the start depth of
+   * E5: the leaf above is found, unless it is there already, among few others still. */
+  void Look(Key cell, Direction direction, int startDepth, NodesAround& around,
     std::vector<Key>& found) const
   {
-    if (key == home ||
-      ball.GetSide(key.GetCell(), key.GetDepth()) == hashedoctree::BallSide::Outside)
+    if (const Node* node = this->Find(cell))
     {
+      around.Nodes[around.Count] = node;
+      around.Directions[around.Count++] = direction;
       return;
     }
-    const Node* node = this->Find(key);
-    if (node == nullptr)
+    const int start = std::min(startDepth, cell.GetDepth() - 1);
+    const Key leaf(this->FindLeaf(cell.GetFirstAtMaxDepth(), start)->Key);
+    if (std::find(found.begin(), found.end(), leaf) == found.end())
     {
-      this->AddLeafAbove(key, startDepth, found);
+      found.push_back(leaf);
     }
-    else if (node->Leaf)
+  }
+
+  void AddTouching(
+    const Node& node, hashedoctree::OctantMask<Dim> touching, std::vector<Key>& found) const
+  {
+    const Key key(node.Key);
+    if (node.Leaf)
     {
       found.push_back(key);
+      return;
     }
-    else
+    for (unsigned rest = touching; rest != 0; rest &= rest - 1)
     {
-      for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+      const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
+      this->AddTouching(*this->Find(key.GetChild(octant)), touching, found);
+    }
+  }
+
+  void AddInBall(const Node& node, Key home, const hashedoctree::NodeBall<Dim>& ball,
+    std::vector<Key>& found) const
+  {
+    const Key key(node.Key);
+    if (node.Leaf)
+    {
+      found.push_back(key);
+      return;
+    }
+    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    {
+      const Key child = key.GetChild(octant);
+      if (child != home && Meets(ball, child))
       {
-        this->AddInBall(key.GetChild(octant), home, ball, startDepth, found);
+        this->AddInBall(*this->Find(child), home, ball, found);
       }
     }
   }

@@ -65,6 +65,7 @@ template <typename Function>
 Summary Summarise(const std::vector<PaperResults>& sets, const Function& function)
 {
   std::vector<double> values;
+  values.reserve(sets.size());
   for (const PaperResults& set : sets)
   {
     values.push_back(function(set));

@@ -42,6 +42,7 @@ protected:
   static std::vector<std::uint64_t> GetSortedKeysOf(const std::vector<Placed>& nodes)
   {
     std::vector<std::uint64_t> keys;
+    keys.reserve(nodes.size());
     for (const auto& node : nodes)
     {
       EXPECT_TRUE(node.Node->IsLeaf());
@@ -54,6 +55,7 @@ protected:
   static std::vector<std::uint64_t> GetSortedValues(const std::vector<Key>& found)
   {
     std::vector<std::uint64_t> keys;
+    keys.reserve(found.size());
     for (const Key key : found)
     {
       keys.push_back(key.GetValue());
