@@ -2,9 +2,9 @@
 #ifndef Testing_Benchmarks_PaperHashedOctree_h
 #define Testing_Benchmarks_PaperHashedOctree_h
 
+#include "CellsAround.h"
 #include "ChainedNodeTable.h"
 #include "DepthStatistics.h"
-#include "NeighborDirection.h"
 #include "NodeBall.h"
 #include "SortedPoints.h"
 
@@ -170,40 +170,6 @@ private:
     return key;
   }
   static Key GetChild(Key parent, unsigned octant) { return parent.GetChild(octant); }
-
-  /** Calls function(cell, direction) for a cell and those of its size around it in the root. */
-  template <typename Function>
-  static void ForEachCellAround(Key middle, const Function& function)
-  {
-    const int depth = middle.GetDepth();
-    const hashedoctree::Cell<Dim> home = middle.GetCell();
-    for (unsigned axes = 0; axes < Key::NumberOfOctants; ++axes)
-    {
-      for (unsigned upper = 0; upper <= axes; ++upper)
-      {
-        hashedoctree::Cell<Dim> cell = home;
-        if ((upper & ~axes) == 0 && Step(cell, depth, { axes, upper }))
-        {
-          function(Key::FromCell(cell, depth), Direction{ axes, upper });
-        }
-      }
-    }
-  }
-
-  /** Moves a cell by one; false where that is outside the root. */
-  static bool Step(hashedoctree::Cell<Dim>& cell, int depth, Direction direction)
-  {
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      const unsigned bit = 1U << (Dim - 1 - axis);
-      cell[axis] += (direction.Axes & bit) == 0 ? 0U : (direction.Upper & bit) != 0 ? 1U : 0U - 1U;
-      if (cell[axis] >> depth != 0)
-      {
-        return false;
-      }
-    }
-    return true;
-  }
 
   static bool Meets(const hashedoctree::NodeBall<Dim>& ball, Key cell)
   {
