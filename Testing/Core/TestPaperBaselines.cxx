@@ -143,15 +143,21 @@ protected:
       [&](Key key)
       {
         CheckTopDown(tree, oracle, hashed, { hashed.Find(key), key.GetCell(), key.GetDepth() });
-        for (const int startDepth : { 0, 4, static_cast<int>(Key::MaxDepth) })
+        const std::array<int, 3> startDepths{ 0, 4, Key::MaxDepth };
+        const auto adjacent = oracle.FindAdjacent(key, EmptyOctants::Leaves);
+        for (const int startDepth : startDepths)
         {
           hashed.FindAdjacent(key, startDepth, found);
-          ASSERT_EQ(GetSortedValues(found), oracle.FindAdjacent(key, EmptyOctants::Leaves));
-          for (const double radius : GetRadii(grid.GetSide(key.GetDepth()), grid.GetSide()))
+          ASSERT_EQ(GetSortedValues(found), adjacent);
+        }
+        for (const double radius : GetRadii(grid.GetSide(key.GetDepth()), grid.GetSide()))
+        {
+          const auto inRadius =
+            oracle.FindInRadius(key, radius, grid.GetSide(), EmptyOctants::Leaves);
+          for (const int startDepth : startDepths)
           {
             hashed.FindInRadius(key, radius, startDepth, found);
-            ASSERT_EQ(GetSortedValues(found),
-              oracle.FindInRadius(key, radius, grid.GetSide(), EmptyOctants::Leaves));
+            ASSERT_EQ(GetSortedValues(found), inRadius);
           }
         }
       });
