@@ -7,11 +7,13 @@
 #   Testing/bench.sh python [POINTS [POSITIONS [REPETITIONS]]]   the locator from Python beside cKDTree
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            --help tells its own arguments
+#   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, in
+#                                            build/bench/paper.md; half an hour, --quick a minute
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 declare -A benchmarks=([build]=BenchmarkOctreeBuild [locator]=BenchmarkPointLocator
-  [python]=benchmark_python.py)
+  [paper]=BenchmarkPaper [python]=benchmark_python.py)
 
 fail() {
   printf 'error: %s\n' "$1" >&2
@@ -25,6 +27,14 @@ make_terrain() {
   mkdir -p "$root/build/data"
   pvpython "$root/Data/make_terrain.py" "$terrain" >"$log" 2>&1 ||
     fail "$(grep '^make_terrain: ' "$log" || echo "no terrain; all that pvpython said is in $log")"
+}
+
+run_paper() {
+  local points="$root/build/data/points" output="$root/build/bench" quick=()
+  [[ " $* " != *' --quick '* ]] || quick=(--quick)
+  [[ " $* " == *' --help '* ]] || python3 "$root/Data/make_point_sets.py" "$points" "${quick[@]}"
+  mkdir -p "$output"
+  exec "$program" --points "$points" --output "$output/paper.md" "$@"
 }
 
 # Draws also when some answers were wrong (1), but not when the arguments were (2).
@@ -51,4 +61,5 @@ if [[ "$name" == python ]]; then
   exec python3 -B "$root/Testing/Benchmarks/${benchmarks[$name]}" "$@"
 fi
 [[ "$name" != locator ]] || run_locator "$@"
+[[ "$name" != paper ]] || run_paper "$@"
 exec "$program" "$@"

@@ -2,6 +2,7 @@
 #ifndef Testing_Support_SampleTree_h
 #define Testing_Support_SampleTree_h
 
+#include "ForEachNode.h"
 #include "Invariants.h"
 #include "PointSamples.h"
 
@@ -29,33 +30,5 @@ struct SampleTree
     }
   }
 };
-
-/** Calls function(node) for every node of a tree, from the root downwards. */
-template <int Dim, typename Function>
-void ForEachNode(const hashedoctree::Octree<Dim>& tree, const Function& function)
-{
-  function(tree.GetRoot());
-  for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
-  {
-    for (unsigned octant = 0; octant < hashedoctree::Octree<Dim>::NumberOfOctants; ++octant)
-    {
-      function(tree.GetChild(block, octant));
-    }
-  }
-}
-
-/** Calls function(leaf) for every leaf, empty ones too. */
-template <int Dim, typename Function>
-void ForEachLeaf(const hashedoctree::Octree<Dim>& tree, const Function& function)
-{
-  ForEachNode(tree,
-    [&function](const typename hashedoctree::Octree<Dim>::Node& node)
-    {
-      if (!node.Internal)
-      {
-        function(node);
-      }
-    });
-}
 
 #endif

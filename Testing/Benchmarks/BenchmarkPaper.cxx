@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The experiments of the paper (section 5, Tables 1 to 3): trees with pointers, the paper's own
+ * layout and ours, over the same points, in turns. Every structure's answers are checked.
+ */
+#include "PaperMeasurement.h"
+#include "PaperReport.h"
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+
+using namespace paper_benchmark;
+
+namespace
+{
+/** Of two repetitions no median could tell much. */
+constexpr int FewestRepetitions = 3;
+/** Point sets above this are left out of a quick run. */
+constexpr std::size_t QuickLimit = 150000;
+
+struct Options
+{
+  std::string Points = ".";
+  std::string Output = "paper.md";
+  int Repetitions = 5;
+  bool Quick = false;
+  bool HelpWanted = false;
+};
+
+Options ReadOptions(const std::vector<std::string>& arguments)
+{
+  Options options;
+  const auto getValue = [&arguments](std::size_t i)
+  {
+    if (i >= arguments.size())
+    {
+      throw std::runtime_error(arguments.back() + " needs a value");
+    }
+    return arguments[i];
+  };
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    if (arguments[i] == "--quick")
+    {
+      options.Quick = true;
+    }
+    else if (arguments[i] == "--help")
+    {
+      options.HelpWanted = true;
+    }
+    else if (arguments[i] == "--points")
+    {
+      options.Points = getValue(++i);
+    }
+    else if (arguments[i] == "--output")
+    {
+      options.Output = getValue(++i);
+    }
+    else if (arguments[i] == "--repetitions")
+    {
+      options.Repetitions = std::atoi(getValue(++i).c_str());
+    }
+    else
+    {
+      throw std::runtime_error("unknown argument '" + arguments[i] + "'; try --help");
+    }
+  }
+  if (options.Repetitions < FewestRepetitions)
+  {
+    throw std::runtime_error(
+      "--repetitions takes numbers from " + std::to_string(FewestRepetitions) + " on");
+  }
+  return options;
+}
+
+constexpr const char* Help = "Repeats the paper's experiments, and writes them as Markdown.\n"
+                             "  --points FOLDER   that Data/make_point_sets.py wrote\n"
+                             "  --output FILE     default: paper.md\n"
+                             "  --repetitions N   default 5\n"
+                             "  --quick           only the sets of up to 150,000 points\n";
+
+std::vector<PaperResults> MeasureSets(const Options& options)
+{
+  std::vector<PaperResults> results;
+  for (const PaperSet& set : GetPaperSets())
+  {
+    const std::vector<float> points = ReadPoints(options.Points, set);
+    if (points.empty() || (options.Quick && points.size() / 3 > QuickLimit))
+    {
+      continue;
+    }
+    const double seconds =
+      GetSeconds([&] { results.push_back(MeasureSet(set, points, options.Repetitions)); });
+    std::printf("%s: %zu points, %zu nodes, %.0f s\n", set.Name.c_str(), results.back().Points,
+      results.back().Nodes, seconds);
+    std::fflush(stdout);
+  }
+  if (results.empty())
+  {
+    throw std::runtime_error("no point sets in '" + options.Points +
+      "'; make them with python3 Data/make_point_sets.py FOLDER, and give --points FOLDER");
+  }
+  return results;
+}
+
+int Run(const Options& options)
+{
+  if (options.HelpWanted)
+  {
+    std::cout << Help;
+    return 0;
+  }
+  std::ofstream markdown(options.Output);
+  if (!markdown)
+  {
+    throw std::runtime_error("cannot write to '" + options.Output + "'");
+  }
+  const std::vector<PaperResults> results = MeasureSets(options);
+  WriteReport(results, options.Repetitions, markdown);
+  std::size_t different = 0;
+  for (const PaperResults& set : results)
+  {
+    different += set.DifferentAnswers;
+  }
+  if (different != 0)
+  {
+    std::cerr << "error: " << different << " answers differ\n";
+  }
+  return different == 0 ? 0 : 1;
+}
+}
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return Run(ReadOptions({ argv + 1, argv + argc }));
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "error: " << error.what() << "\n";
+    return 2;
+  }
+}

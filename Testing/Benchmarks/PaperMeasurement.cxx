@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PaperMeasurement.h"
+
+#include "DepthDecisionTree.h"
+#include "ForEachNode.h"
+#include "PaperWorkloads.h"
+#include "StartDepths.h"
+
+#include <random>
+
+namespace paper_benchmark
+{
+namespace
+{
+using hashedoctree::DepthHistogram;
+using hashedoctree::Execution;
+using hashedoctree::FrequencyModel;
+using hashedoctree::Octree;
+using hashedoctree::PointSpan;
+using Selection = hashedoctree::PointSelection<3>;
+
+/** Builds all structures again and again; the last of each stay. Sorting the points, which the
+ * others share, counts for each of them. */
+void MeasureBuilds(const std::vector<float>& points, int repetitions, PaperTrees& trees,
+  std::unique_ptr<SortedPoints<3>>& sorted, PaperResults& results)
+{
+  const PointSpan<3, float> span{ points.data(), points.size() / 3 };
+  const auto buildOurs = [&]
+  { trees.Ours = Octree<3>(span, Selection(span, {}, Execution()), {}, Execution()); };
+  const auto sort = [&]
+  { sorted = std::make_unique<SortedPoints<3>>(span, Selection(span, {}, Execution()), 1); };
+  const auto build = [&sorted](auto& tree, const auto&... hash)
+  {
+    using Tree = std::remove_const_t<typename std::decay_t<decltype(tree)>::element_type>;
+    tree.reset();
+    return GetSeconds([&] { tree = std::make_unique<const Tree>(*sorted, hash...); });
+  };
+  buildOurs();
+  const hashedoctree::MixingHash mixing(trees.Ours.GetNumberOfNodes() / 2);
+  // Sorting is not repeated among the others, which refer to the sorted points.
+  const Spread sorting = TimeInTurns({ [&] { return GetSeconds(sort); } }, 1, repetitions).front();
+  const std::vector<Spread> times = TimeInTurns(
+    { [&] { return build(trees.Pointers); }, [&] { return build(trees.BrotherChild); },
+      [&] { return build(trees.WithParents); }, [&] { return build(trees.Paper, GetPaperHash()); },
+      [&] { return build(trees.PaperMixing, mixing); },
+      [&]
+      {
+        trees.Ours = Octree<3>();
+        return GetSeconds(buildOurs);
+      } },
+    1, repetitions);
+  for (std::size_t i = 0; i < NumberOfStructures; ++i)
+  {
+    const Spread before = i == OursBuilt ? Spread() : sorting;
+    results.Builds[i] = { before.Median + times[i].Median, before.Lower + times[i].Lower,
+      before.Upper + times[i].Upper };
+  }
+  results.Bytes = { trees.Pointers->GetBytes(), trees.BrotherChild->GetBytes(),
+    trees.WithParents->GetBytes(), trees.Paper->GetBytes(), trees.PaperMixing->GetBytes(),
+    trees.Ours.GetTreeBytes() };
+}
+
+void DescribeTree(const Octree<3>& tree, PaperResults& results)
+{
+  const DepthHistogram& leaves = tree.GetDepthCounts().Leaves;
+  results.Points = tree.GetNumberOfPoints();
+  results.Nodes = tree.GetNumberOfNodes();
+  results.Leaves = tree.GetNumberOfLeaves();
+  results.DeepestDepth = tree.GetDeepestDepth();
+  results.StartDepth = hashedoctree::GetMedianDepth(leaves);
+  results.RadiusOfSide = std::ldexp(1.0, -results.StartDepth);
+  double sum = 0.0;
+  double sum2 = 0.0;
+  for (std::size_t depth = 0; depth < leaves.size(); ++depth)
+  {
+    const double share = static_cast<double>(leaves[depth]) / static_cast<double>(results.Leaves);
+    sum += share * static_cast<double>(depth);
+    sum2 += share * static_cast<double>(depth * depth);
+  }
+  results.DepthDeviation = std::sqrt(std::max(sum2 - sum * sum, 0.0));
+}
+
+void MeasureOptimisation(const PaperTrees& trees, int repetitions, PaperResults& results)
+{
+  int depths = 0;
+  const std::vector<Spread> times =
+    TimeInTurns({ [&] {
+                   return GetSeconds(
+                     [&] { depths += hashedoctree::GetMedianDepth(trees.Paper->CountLeaves()); });
+                 },
+                  [&]
+                  {
+                    return GetSeconds(
+                      [&]
+                      {
+                        depths += hashedoctree::GetMedianDepth(hashedoctree::GetDepthHistogram(
+                          trees.Ours.GetDepthCounts(), FrequencyModel::Leaves, 3));
+                      });
+                  } },
+      1, repetitions);
+  ++results.CheckedAnswers;
+  results.DifferentAnswers += depths == 2 * repetitions * results.StartDepth ? 0 : 1;
+  results.PaperOptimise = times[0];
+  results.OurOptimise = times[1];
+}
+
+double GetLocalCost(const Octree<3>& tree)
+{
+  const hashedoctree::StartDepths<3> starts(
+    tree, { hashedoctree::StartDepthModel::Local, FrequencyModel::Leaves, 0 });
+  std::size_t examined = 0;
+  ForEachLeaf(tree,
+    [&](const Octree<3>::Node& leaf)
+    {
+      const int startDepth = starts.Get(leaf.NodeKey.GetFirstAtMaxDepth());
+      examined += 1 + static_cast<std::size_t>(std::abs(leaf.NodeKey.GetDepth() - startDepth));
+    });
+  return static_cast<double>(examined) / static_cast<double>(tree.GetNumberOfLeaves());
+}
+
+ModelCosts GetModelCosts(const Octree<3>& tree)
+{
+  using hashedoctree::GetMeanCost;
+  const DepthHistogram& leaves = tree.GetDepthCounts().Leaves;
+  return { GetMeanCost(leaves, 0), GetMeanCost(leaves, hashedoctree::GetMedianDepth(leaves)),
+    GetMeanCost(leaves, hashedoctree::GetMeanDepth(leaves)), GetLocalCost(tree),
+    hashedoctree::DepthDecisionTree(leaves).GetMeanCost(), hashedoctree::GetEntropyBound(leaves) };
+}
+
+/** Leaves of a tree that has more than the root, each equally likely, in random order. */
+std::vector<Key> SampleLeaves(const Octree<3>& tree)
+{
+  std::mt19937_64 random(2008);
+  std::vector<Key> leaves;
+  while (leaves.size() < NumberOfNeighborSearches)
+  {
+    const std::uint64_t child = random() % (tree.GetNumberOfInternalNodes() * 8);
+    const auto node = tree.GetChild(child / 8, static_cast<unsigned>(child % 8));
+    if (!node.Internal)
+    {
+      leaves.push_back(node.NodeKey);
+    }
+  }
+  return leaves;
+}
+
+using Peers = std::vector<std::unique_ptr<PaperPeer>>;
+
+/** Compares answers of all peers with ours from the median. */
+void CheckAnswers(
+  const Peers& peers, const std::vector<float>& points, double radius, PaperResults& results)
+{
+  PaperPeer& ours = *peers[OursMedian];
+  const auto check = [&results](const auto& answer, const auto& expected)
+  {
+    ++results.CheckedAnswers;
+    results.DifferentAnswers += answer == expected ? 0 : 1;
+  };
+  const std::size_t step = (results.Points - 1) / CheckedLeaves + 1;
+  for (std::size_t i = 0; i < results.Points; i += step)
+  {
+    const std::uint64_t leaf = ours.GetLeaf(&points[3 * i]);
+    for (const auto& peer : peers)
+    {
+      check(peer->GetLeaf(&points[3 * i]), leaf);
+    }
+  }
+  for (std::size_t i = 0; i < CheckedNeighborhoods; ++i)
+  {
+    const auto adjacent = ours.GetAdjacent(i);
+    const auto inRadius = ours.GetInRadius(i, radius);
+    for (const auto& peer : peers)
+    {
+      check(peer->GetAdjacent(i), adjacent);
+      check(peer->GetInRadius(i, radius), inRadius);
+    }
+  }
+}
+
+void MeasureSearches(const Peers& peers, const std::vector<float>& points, double radius,
+  int repetitions, PaperResults& results)
+{
+  results.Searches = { results.Points, NumberOfNeighborSearches, NumberOfNeighborSearches };
+  std::uint64_t sum = 0;
+  for (std::size_t kind = 0; kind < NumberOfKinds; ++kind)
+  {
+    std::vector<std::function<double()>> runs;
+    for (const auto& peer : peers)
+    {
+      runs.emplace_back(
+        [&points, &sum, &asked = *peer, kind, radius]
+        {
+          return GetSeconds(
+            [&]
+            {
+              sum += kind == Direct ? asked.FindLeaves(points)
+                : kind == Adjacent  ? asked.FindAdjacent()
+                                    : asked.FindInRadius(radius);
+            });
+        });
+    }
+    const std::vector<Spread> times = TimeInTurns(runs, results.Searches[kind], repetitions);
+    std::copy(times.begin(), times.end(), results.Times[kind].begin());
+  }
+}
+}
+
+PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, int repetitions)
+{
+  PaperResults results;
+  results.Set = set;
+  std::unique_ptr<SortedPoints<3>> sorted;
+  PaperTrees trees;
+  MeasureBuilds(points, repetitions, trees, sorted, results);
+  DescribeTree(trees.Ours, results);
+  MeasureOptimisation(trees, repetitions, results);
+  results.Costs = GetModelCosts(trees.Ours);
+
+  const Peers peers = MakePeers(trees, results.StartDepth);
+  const std::vector<Key> leaves = SampleLeaves(trees.Ours);
+  for (const auto& peer : peers)
+  {
+    peer->SetLeaves(leaves);
+  }
+  const double radius = results.RadiusOfSide * trees.Ours.GetGrid().GetSide();
+  CheckAnswers(peers, points, radius, results);
+  MeasureSearches(peers, points, radius, repetitions, results);
+  MeasureWorkloads(trees, points, repetitions, results);
+  return results;
+}
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PaperTiming.h"
+
+#include <algorithm>
+
+namespace paper_benchmark
+{
+std::vector<Spread> TimeInTurns(
+  const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions)
+{
+  std::vector<std::vector<double>> seconds(runs.size());
+  for (int repetition = 0; repetition < repetitions; ++repetition)
+  {
+    for (std::size_t run = 0; run < runs.size(); ++run)
+    {
+      seconds[run].push_back(runs[run]() / static_cast<double>(searches));
+    }
+  }
+  std::vector<Spread> spreads;
+  for (std::vector<double>& times : seconds)
+  {
+    std::sort(times.begin(), times.end());
+    const std::size_t last = times.size() - 1;
+    const double median = (times[last / 2] + times[last - last / 2]) / 2.0;
+    spreads.push_back({ median, times[last / 4], times[last - last / 4] });
+  }
+  return spreads;
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Benchmarks_PaperTiming_h
+#define Testing_Benchmarks_PaperTiming_h
+
+#include <chrono>
+#include <functional>
+#include <vector>
+
+namespace paper_benchmark
+{
+/** Of repeated measurements, in seconds: the median, and between which times the middle half of
+ * them lies. */
+struct Spread
+{
+  double Median = 0.0;
+  double Lower = 0.0;
+  double Upper = 0.0;
+};
+
+/** How long a call takes. */
+template <typename Function>
+double GetSeconds(const Function& function)
+{
+  const auto start = std::chrono::steady_clock::now();
+  function();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/** Does all runs in turns, again and again, so that a machine that changes its speed slows them all
+ * alike. A run does `searches` searches, or one build, and returns the seconds that it took; what
+ * comes back, in the same order, is for one of them. */
+std::vector<Spread> TimeInTurns(
+  const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions);
+}
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PaperWorkloads.h"
+
+#include "DirectSearch.h"
+#include "ForEachNode.h"
+#include "PaperMeasurement.h"
+
+namespace paper_benchmark
+{
+namespace
+{
+using hashedoctree::FrequencyModel;
+using hashedoctree::Octree;
+
+std::vector<Key> MakePointKeys(const Octree<3>& tree, const std::vector<float>& points)
+{
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < points.size(); i += 3)
+  {
+    keys.push_back(tree.GetGrid().GetKey(&points[i]));
+  }
+  return keys;
+}
+
+std::vector<Key> MakeLeafKeys(const Octree<3>& tree)
+{
+  const std::size_t step = (tree.GetNumberOfLeaves() - 1) / MaxLeafSearches + 1;
+  std::size_t number = 0;
+  std::vector<Key> keys;
+  ForEachLeaf(tree,
+    [&](const Octree<3>::Node& leaf)
+    {
+      if (number++ % step == 0)
+      {
+        keys.push_back(leaf.NodeKey.GetFirstAtMaxDepth());
+      }
+    });
+  return keys;
+}
+
+/** Row after row, as a loop over a grid goes. */
+std::vector<Key> MakeGridKeys()
+{
+  constexpr std::uint32_t size = 1U << GridDepth;
+  std::vector<Key> keys;
+  for (std::uint32_t i = 0; i < size * size * size; ++i)
+  {
+    const hashedoctree::Cell<3> cell{ i % size, i / size % size, i / size / size };
+    keys.push_back(Key::FromCell(cell, GridDepth).GetFirstAtMaxDepth());
+  }
+  return keys;
+}
+
+template <typename Find>
+double TimeKeys(const std::vector<Key>& keys, const Find& find)
+{
+  std::uint64_t sum = 0;
+  const double seconds = GetSeconds(
+    [&]
+    {
+      for (const Key key : keys)
+      {
+        sum += find(key);
+      }
+    });
+  volatile std::uint64_t sink = sum; // So that the searches are done.
+  static_cast<void>(sink);
+  return seconds;
+}
+}
+
+void MeasureWorkloads(
+  const PaperTrees& trees, const std::vector<float>& points, int repetitions, PaperResults& results)
+{
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    const std::vector<Key> keys = row == 0 ? MakePointKeys(trees.Ours, points)
+      : row == 1                           ? MakeLeafKeys(trees.Ours)
+                                           : MakeGridKeys();
+    std::vector<std::function<double()>> runs;
+    for (const FrequencyModel model :
+      { FrequencyModel::Points, FrequencyModel::Leaves, FrequencyModel::Grid })
+    {
+      const int startDepth = hashedoctree::GetMedianDepth(
+        hashedoctree::GetDepthHistogram(trees.Ours.GetDepthCounts(), model, 3));
+      runs.emplace_back(
+        [&trees, &keys, startDepth] {
+          return TimeKeys(
+            keys, [&](Key key) { return trees.Paper->FindLeaf(key, startDepth)->Key; });
+        });
+      runs.emplace_back(
+        [&trees, &keys, startDepth]
+        {
+          return TimeKeys(keys,
+            [&](Key key)
+            { return hashedoctree::FindLeaf(trees.Ours, key, startDepth).Key.GetValue(); });
+        });
+    }
+    const std::vector<Spread> times = TimeInTurns(runs, keys.size(), repetitions);
+    results.WorkloadSearches[row] = keys.size();
+    for (std::size_t model = 0; model < 3; ++model)
+    {
+      results.PaperWorkloads[row][model] = times[2 * model];
+      results.OurWorkloads[row][model] = times[2 * model + 1];
+    }
+  }
+}
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Benchmarks_SortedPoints_h
+#define Testing_Benchmarks_SortedPoints_h
+
+#include "MortonOrder.h"
+
+#include <algorithm>
+
+/**
+ * The points of a tree in Morton order, and the splitting of them into nodes by the paper's rule
+ * (paper section 5, #43): a node is split while it holds more than `bucket` points and is not at
+ * MaxDepth; all its children are nodes, empty ones too. The trees that ours is compared with are
+ * all built from it, with Core's own order and grid: so they have the same leaves, and their build
+ * times differ by what their nodes cost.
+ */
+template <int Dim>
+class SortedPoints
+{
+public:
+  using Key = hashedoctree::MortonKey<Dim>;
+  using Point = hashedoctree::CodedPoint<Dim>;
+
+  /** At least one point must be selected. O(n). */
+  template <typename Real>
+  SortedPoints(hashedoctree::PointSpan<Dim, Real> points,
+    const hashedoctree::PointSelection<Dim>& selection, std::size_t bucket)
+    : RootGrid(selection.GetBox())
+    , Points(
+        hashedoctree::EncodePoints(points, selection, this->RootGrid, hashedoctree::Execution()))
+    , Bucket(static_cast<std::ptrdiff_t>(bucket))
+  {
+    hashedoctree::SortAlongMortonCurve(this->Points, hashedoctree::Execution());
+  }
+
+  const hashedoctree::Grid<Dim>& GetGrid() const { return this->RootGrid; }
+
+  /**
+   * Makes all nodes from `root` downwards, depth first: maker.MakeLeaf(node, points) where a node
+   * is a leaf, with its first point, the others being those that follow within the leaf, or with
+   * null; and maker.MakeChildren(node) where it is not, which returns what maker.GetChild(children,
+   * octant) takes. O(nodes * log(points)).
+   */
+  template <typename Maker, typename Node>
+  void Split(Maker& maker, Node root) const
+  {
+    const Point* first = this->Points.GetData();
+    this->SplitNode(maker, root, first, first + this->Points.GetSize(), 0);
+  }
+
+private:
+  template <typename Maker, typename Node>
+  void SplitNode(Maker& maker, Node node, const Point* first, const Point* last, int depth) const
+  {
+    if (last - first <= this->Bucket || depth == Key::MaxDepth)
+    {
+      maker.MakeLeaf(node, first == last ? nullptr : first);
+      return;
+    }
+    const auto children = maker.MakeChildren(node);
+    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    {
+      const Point* end = std::partition_point(first, last,
+        [=](const Point& point) { return point.Key.AtDepth(depth + 1).GetOctant() <= octant; });
+      this->SplitNode(maker, maker.GetChild(children, octant), first, end, depth + 1);
+      first = end;
+    }
+  }
+
+  hashedoctree::Grid<Dim> RootGrid;
+  hashedoctree::Buffer<Point> Points;
+  std::ptrdiff_t Bucket;
+};
+
+#endif
