@@ -6,6 +6,8 @@
 #include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
+
 namespace hashedoctree
 {
 namespace
@@ -19,11 +21,17 @@ bool IsAborted(vtkAlgorithm* algorithm)
 #endif
 }
 
+/** Parts of a range for each thread: enough to share it out evenly. More cost more than they are
+ * worth, since to some backends each is a job that wakes a thread. */
+constexpr vtkIdType PartsPerThread = 8;
+
 void RunOnThreads(
   std::size_t first, std::size_t last, std::size_t grain, const Execution::Body& body)
 {
+  const auto count = static_cast<vtkIdType>(last - first);
+  const vtkIdType parts = PartsPerThread * vtkSMPTools::GetEstimatedNumberOfThreads();
   vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
-    static_cast<vtkIdType>(grain),
+    std::max(static_cast<vtkIdType>(grain), count / parts),
     [&body](vtkIdType from, vtkIdType to)
     { body(static_cast<std::size_t>(from), static_cast<std::size_t>(to)); });
 }
