@@ -2,9 +2,9 @@
 #include "OctreePass.h"
 
 #include "AlgorithmExecution.h"
+#include "AlgorithmOptions.h"
 #include "PointsAdaptor.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
@@ -24,10 +24,8 @@ constexpr double AdaptorShare = 0.02;
 constexpr double SelectionShare = 0.05;
 }
 
-OctreePass::OctreePass(
-  vtkAlgorithm* algorithm, const Octree<3>::Options& options, std::optional<Box<3>> root)
+OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>> root)
   : Algorithm(algorithm)
-  , Options(options)
   , Root(root)
 {
 }
@@ -107,14 +105,14 @@ PointsOctree OctreePass::Build(vtkPointSet* input, const Execution& execution) c
 {
   const auto start = std::chrono::steady_clock::now();
   const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
+  const Octree<3>::Options options = GetTreeOptions(this->Algorithm);
   PointsOctree octree;
   points.Visit(
     [&](auto span)
     {
       const PointSelection<3> selection(
         span, this->Root, execution.Part(AdaptorShare, SelectionShare));
-      octree.Tree =
-        Octree<3>(span, selection, this->Options, execution.Part(SelectionShare, BuildShare));
+      octree.Tree = Octree<3>(span, selection, options, execution.Part(SelectionShare, BuildShare));
       octree.SkippedPoints = selection.GetNumberOfSkippedPoints();
       octree.OutsidePoints = selection.GetNumberOfOutsidePoints();
     });

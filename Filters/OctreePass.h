@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-class vtkAlgorithm;
 class vtkDataObject;
 class vtkDataObjectTree;
+class vtkHashedOctreeAlgorithm;
 class vtkInformationVector;
 class vtkPointSet;
 
@@ -44,8 +44,7 @@ public:
   static constexpr double BuildShare = 0.3;
 
   /** `root`, where given, takes the place of the points' own bounds. */
-  OctreePass(
-    vtkAlgorithm* algorithm, const Octree<3>::Options& options, std::optional<Box<3>> root = {});
+  explicit OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>> root = {});
 
   /** Warns once of points that are not finite. Throws Interrupted, and std::exception with what to
    * tell the user, also when there is no point to use in all of the input, unless that is one of
@@ -63,8 +62,7 @@ private:
   PointsOctree Build(vtkPointSet* input, const Execution& execution) const;
   [[noreturn]] void RefuseInput() const;
 
-  vtkAlgorithm* Algorithm;
-  Octree<3>::Options Options;
+  vtkHashedOctreeAlgorithm* Algorithm;
   std::optional<Box<3>> Root;
   vtkIdType AllPoints = 0;
   std::size_t SkippedPoints = 0;

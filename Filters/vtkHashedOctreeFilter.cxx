@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHashedOctreeFilter.h"
 
+#include "AlgorithmOptions.h"
 #include "AlgorithmProblems.h"
 #include "FieldValue.h"
 #include "NodeList.h"
@@ -8,10 +9,8 @@
 #include "OctreePass.h"
 #include "OctreeTables.h"
 
-#include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -42,6 +41,7 @@ class vtkHashedOctreeFilter::Run
 public:
   explicit Run(vtkHashedOctreeFilter* filter)
     : Self(filter)
+    , StartDepths(GetStartDepthOptions(filter))
   {
   }
 
@@ -50,8 +50,7 @@ public:
   {
     const Octree<3>& tree = octree.Tree;
     const DepthCounts& counts = tree.GetDepthCounts();
-    const int startDepth = this->GetStartDepth(
-      counts, static_cast<hashedoctree::FrequencyModel>(this->Self->FrequencyModel));
+    const int startDepth = GetStartDepth(counts, this->StartDepths);
 
     vtkNew<vtkTable> histogram;
     FillDepthHistogram(histogram, counts);
@@ -82,12 +81,12 @@ public:
   }
 
 private:
-  int GetStartDepth(const DepthCounts& counts, hashedoctree::FrequencyModel model) const
+  /** Where searches would start by another frequency model. */
+  int GetStartDepthBy(const DepthCounts& counts, hashedoctree::FrequencyModel model) const
   {
-    const StartDepthOptions options{ static_cast<hashedoctree::StartDepthModel>(
-                                       this->Self->StartDepthModel),
-      model, this->Self->FixedStartDepth };
-    return hashedoctree::GetStartDepth(GetDepthHistogram(counts, model, 3), options);
+    StartDepthOptions options = this->StartDepths;
+    options.Frequency = model;
+    return GetStartDepth(counts, options);
   }
 
   void AddFieldData(vtkFieldData* fieldData, const PointsOctree& octree, int startDepth) const
@@ -95,8 +94,7 @@ private:
     using Model = hashedoctree::FrequencyModel;
     const Octree<3>& tree = octree.Tree;
     const DepthCounts& counts = tree.GetDepthCounts();
-    const DepthHistogram histogram =
-      GetDepthHistogram(counts, static_cast<Model>(this->Self->FrequencyModel), 3);
+    const DepthHistogram histogram = GetDepthHistogram(counts, this->StartDepths.Frequency, 3);
     const double hitCost = GetMeanCost(histogram, startDepth);
     const double rootCost = GetMeanCost(histogram, 0);
 
@@ -110,11 +108,11 @@ private:
     AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfEmptyLeaves", tree.GetNumberOfEmptyLeaves());
     AddFieldValue<vtkIntArray>(fieldData, "DeepestDepth", tree.GetDeepestDepth());
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthLeaves", this->GetStartDepth(counts, Model::Leaves));
+      fieldData, "StartDepthLeaves", this->GetStartDepthBy(counts, Model::Leaves));
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthPoints", this->GetStartDepth(counts, Model::Points));
+      fieldData, "StartDepthPoints", this->GetStartDepthBy(counts, Model::Points));
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthGrid", this->GetStartDepth(counts, Model::Grid));
+      fieldData, "StartDepthGrid", this->GetStartDepthBy(counts, Model::Grid));
     AddFieldValue<vtkIdTypeArray>(fieldData, "TreeBytes", tree.GetTreeBytes());
     AddFieldValue<vtkDoubleArray>(fieldData, "BuildSeconds", octree.BuildSeconds);
     AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
@@ -122,6 +120,7 @@ private:
   }
 
   vtkHashedOctreeFilter* Self;
+  StartDepthOptions StartDepths;
 };
 
 vtkHashedOctreeFilter::vtkHashedOctreeFilter()
@@ -129,38 +128,10 @@ vtkHashedOctreeFilter::vtkHashedOctreeFilter()
   this->SetNumberOfOutputPorts(NumberOfPorts);
 }
 
-int vtkHashedOctreeFilter::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+int vtkHashedOctreeFilter::GetTypeOfOutput(int port, vtkInformationVector** vtkNotUsed(inputVector))
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  return 1;
-}
-
-int vtkHashedOctreeFilter::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
-{
-  // Port 0 depends on OutputType, and all ports on whether the input is composite.
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-int vtkHashedOctreeFilter::RequestDataObject(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  if (input == nullptr)
-  {
-    return 0;
-  }
   const int cells = this->OutputType == Outlines ? VTK_POLY_DATA : VTK_UNSTRUCTURED_GRID;
-  for (int port = 0; port < NumberOfPorts; ++port)
-  {
-    const int type = vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType()
-      : port == 0                                           ? cells
-                                                            : VTK_TABLE;
-    vtkDataObjectAlgorithm::SetOutputDataObject(
-      type, outputVector->GetInformationObject(port), /*exact=*/true);
-  }
-  return 1;
+  return port == 0 ? cells : VTK_TABLE;
 }
 
 int vtkHashedOctreeFilter::RequestData(vtkInformation* vtkNotUsed(request),
@@ -175,10 +146,7 @@ int vtkHashedOctreeFilter::RequestData(vtkInformation* vtkNotUsed(request),
         const double* b = this->CustomBounds;
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
-      Octree<3>::Options options;
-      options.MaxPointsPerLeaf = static_cast<std::size_t>(this->MaxPointsPerLeaf);
-      options.MaxDepth = this->MaxDepth;
-      OctreePass(this, options, root)
+      OctreePass(this, root)
         .Execute(vtkDataObject::GetData(inputVector[0]), outputVector, Run(this));
     });
 }
@@ -186,13 +154,7 @@ int vtkHashedOctreeFilter::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkHashedOctreeFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
-  os << indent << "MaxDepth: " << this->MaxDepth << "\n";
-  os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
-  os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
-  os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
   os << indent << "OutputType: " << this->OutputType << "\n";
-  os << indent << "IncludeEmptyLeaves: " << this->IncludeEmptyLeaves << "\n";
   os << indent << "IncludeInternalNodes: " << this->IncludeInternalNodes << "\n";
   os << indent << "UseCustomBounds: " << this->UseCustomBounds << "\n";
   os << indent << "CustomBounds: " << this->CustomBounds[0];

@@ -55,33 +55,14 @@
 #define vtkHashedOctreeFilter_h
 
 #include "HashedOctreeFiltersModule.h" // For export macro
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkHashedOctreeAlgorithm.h"
 
-class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeFilter : public vtkDataObjectAlgorithm
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeFilter : public vtkHashedOctreeAlgorithm
 {
 public:
   static vtkHashedOctreeFilter* New();
-  vtkTypeMacro(vtkHashedOctreeFilter, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkHashedOctreeFilter, vtkHashedOctreeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
-   * volume (paper section 4). */
-  enum FrequencyModels
-  {
-    Leaves = 0,
-    Points = 1,
-    Grid = 2
-  };
-
-  /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
-   * the nearest depth, at the root, or at FixedStartDepth. */
-  enum StartDepthModels
-  {
-    Median = 0,
-    Mean = 1,
-    Root = 2,
-    Fixed = 3
-  };
 
   /** What port 0 holds. */
   enum OutputTypes
@@ -91,46 +72,9 @@ public:
   };
 
   ///@{
-  /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
-  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaxPointsPerLeaf, int);
-  ///@}
-
-  ///@{
-  /** Depth below which nothing is split, in [0, 21]; default 21. */
-  vtkSetClampMacro(MaxDepth, int, 0, 21);
-  vtkGetMacro(MaxDepth, int);
-  ///@}
-
-  ///@{
-  /** One of FrequencyModels; default Leaves. */
-  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
-  vtkGetMacro(FrequencyModel, int);
-  ///@}
-
-  ///@{
-  /** One of StartDepthModels; default Median. */
-  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
-  vtkGetMacro(StartDepthModel, int);
-  ///@}
-
-  ///@{
-  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
-  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
-  vtkGetMacro(FixedStartDepth, int);
-  ///@}
-
-  ///@{
   /** One of OutputTypes; default Voxels. */
   vtkSetClampMacro(OutputType, int, Voxels, Outlines);
   vtkGetMacro(OutputType, int);
-  ///@}
-
-  ///@{
-  /** Whether port 0 also holds the leaves without points. Default off. */
-  vtkSetMacro(IncludeEmptyLeaves, bool);
-  vtkGetMacro(IncludeEmptyLeaves, bool);
-  vtkBooleanMacro(IncludeEmptyLeaves, bool);
   ///@}
 
   ///@{
@@ -160,10 +104,7 @@ protected:
   vtkHashedOctreeFilter();
   ~vtkHashedOctreeFilter() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int GetTypeOfOutput(int port, vtkInformationVector** inputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -173,13 +114,7 @@ private:
 
   class Run;
 
-  int MaxPointsPerLeaf = 1;
-  int MaxDepth = 21;
-  int FrequencyModel = Leaves;
-  int StartDepthModel = Median;
-  int FixedStartDepth = 0;
   int OutputType = Voxels;
-  bool IncludeEmptyLeaves = false;
   bool IncludeInternalNodes = false;
   bool UseCustomBounds = false;
   double CustomBounds[6] = { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHashedOctreeLocateFilter.h"
 
+#include "AlgorithmOptions.h"
 #include "AlgorithmProblems.h"
 #include "FieldValue.h"
 #include "OctreePass.h"
@@ -8,7 +9,6 @@
 #include "QueryArrays.h"
 #include "QueryDepths.h"
 
-#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
@@ -44,10 +44,8 @@ public:
   Run(vtkHashedOctreeLocateFilter* filter, vtkDataSet* queries)
     : Self(filter)
     , Queries(queries)
+    , Options(GetStartDepthOptions(filter))
   {
-    this->Options.Model = static_cast<hashedoctree::StartDepthModel>(filter->StartDepthModel);
-    this->Options.Frequency = static_cast<hashedoctree::FrequencyModel>(filter->FrequencyModel);
-    this->Options.Fixed = filter->FixedStartDepth;
   }
 
   /** Ports 0 and 1. Throws std::exception with what to tell the user, and Interrupted. */
@@ -59,11 +57,8 @@ public:
     {
       throw std::invalid_argument("There are no query points; give a data set with points.");
     }
-    Octree<3>::Options options;
-    options.MaxPointsPerLeaf = static_cast<std::size_t>(this->Self->MaxPointsPerLeaf);
-    options.MaxDepth = this->Self->MaxDepth;
     this->FiniteQueries = static_cast<std::uint64_t>(all);
-    OctreePass(this->Self, options)
+    OctreePass(this->Self)
       .Execute(input, outputVector,
         [this](const PointsOctree& octree, const Execution& execution)
         { return this->Locate(octree.Tree, execution); });
@@ -94,9 +89,8 @@ private:
     const Comparison searches(tree, this->Options, depths);
     const auto located = vtk::TakeSmartPointer(this->Queries->NewInstance());
     located->ShallowCopy(this->Queries);
-    const Comparison::Costs costs = AddQueryArrays(located, points, tree,
-      this->Self->IncludeEmptyLeaves ? EmptyOctants::Leaves : EmptyOctants::Missing, searches,
-      execution.Part(DepthsShare, 1.0));
+    const Comparison::Costs costs = AddQueryArrays(
+      located, points, tree, GetReading(this->Self), searches, execution.Part(DepthsShare, 1.0));
 
     vtkFieldData* fieldData = located->GetFieldData();
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
@@ -121,7 +115,7 @@ private:
     add("Root", Comparison::Root);
     add("Median", Comparison::Median);
     add("Mean", Comparison::Mean);
-    if (this->Self->StartDepthModel == Fixed)
+    if (this->Self->GetStartDepthModel() == Fixed)
     {
       add("Fixed", Comparison::Chosen);
     }
@@ -161,37 +155,13 @@ int vtkHashedOctreeLocateFilter::FillInputPortInformation(int port, vtkInformati
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
     return 1;
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  return 1;
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
-int vtkHashedOctreeLocateFilter::FillOutputPortInformation(
-  int vtkNotUsed(port), vtkInformation* info)
+int vtkHashedOctreeLocateFilter::GetTypeOfOutput(int port, vtkInformationVector** inputVector)
 {
-  // Port 0 depends on the queries, and both ports on whether the points are composite.
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-int vtkHashedOctreeLocateFilter::RequestDataObject(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkDataObject* queries = vtkDataObject::GetData(inputVector[1]);
-  if (input == nullptr || queries == nullptr)
-  {
-    return 0;
-  }
-  for (int port = 0; port < NumberOfPorts; ++port)
-  {
-    const int type = vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType()
-      : port == 0                                           ? queries->GetDataObjectType()
-                                                            : VTK_TABLE;
-    vtkDataObjectAlgorithm::SetOutputDataObject(
-      type, outputVector->GetInformationObject(port), /*exact=*/true);
-  }
-  return 1;
+  return queries == nullptr ? -1 : port == 0 ? queries->GetDataObjectType() : VTK_TABLE;
 }
 
 int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(request),
@@ -235,15 +205,4 @@ int vtkHashedOctreeLocateFilter::RequestData(vtkInformation* vtkNotUsed(request)
       Run(this, vtkDataSet::GetData(inputVector[1]))
         .Execute(vtkDataObject::GetData(inputVector[0]), outputVector);
     });
-}
-
-void vtkHashedOctreeLocateFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
-  os << indent << "MaxDepth: " << this->MaxDepth << "\n";
-  os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
-  os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
-  os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
-  os << indent << "IncludeEmptyLeaves: " << this->IncludeEmptyLeaves << "\n";
 }

@@ -56,80 +56,20 @@
 #define vtkHashedOctreeLocateFilter_h
 
 #include "HashedOctreeFiltersModule.h" // For export macro
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkHashedOctreeAlgorithm.h"
 
-class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeLocateFilter : public vtkDataObjectAlgorithm
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeLocateFilter : public vtkHashedOctreeAlgorithm
 {
 public:
   static vtkHashedOctreeLocateFilter* New();
-  vtkTypeMacro(vtkHashedOctreeLocateFilter, vtkDataObjectAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /** How often a leaf is taken to be searched for: once, once for each of its points, or in
-   * proportion to its volume (paper section 4). */
-  enum FrequencyModels
-  {
-    Leaves = 0,
-    Points = 1,
-    Grid = 2
-  };
-
-  /** Where the search that HitCost counts starts: at the weighted median of the leaves' depths, at
-   * their weighted mean to the nearest depth, at the root, or at FixedStartDepth. */
-  enum StartDepthModels
-  {
-    Median = 0,
-    Mean = 1,
-    Root = 2,
-    Fixed = 3
-  };
-
-  ///@{
-  /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
-  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaxPointsPerLeaf, int);
-  ///@}
-
-  ///@{
-  /** Depth below which nothing is split, in [0, 21]; default 21. */
-  vtkSetClampMacro(MaxDepth, int, 0, 21);
-  vtkGetMacro(MaxDepth, int);
-  ///@}
-
-  ///@{
-  /** One of FrequencyModels; default Leaves. */
-  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
-  vtkGetMacro(FrequencyModel, int);
-  ///@}
-
-  ///@{
-  /** One of StartDepthModels; default Median. */
-  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
-  vtkGetMacro(StartDepthModel, int);
-  ///@}
-
-  ///@{
-  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
-  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
-  vtkGetMacro(FixedStartDepth, int);
-  ///@}
-
-  ///@{
-  /** Whether leaves without points have a LeafId, too, so that only queries that are not finite
-   * have none. Default off. */
-  vtkSetMacro(IncludeEmptyLeaves, bool);
-  vtkGetMacro(IncludeEmptyLeaves, bool);
-  vtkBooleanMacro(IncludeEmptyLeaves, bool);
-  ///@}
+  vtkTypeMacro(vtkHashedOctreeLocateFilter, vtkHashedOctreeAlgorithm);
 
 protected:
   vtkHashedOctreeLocateFilter();
   ~vtkHashedOctreeLocateFilter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int GetTypeOfOutput(int port, vtkInformationVector** inputVector) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
@@ -142,13 +82,6 @@ private:
   void operator=(const vtkHashedOctreeLocateFilter&) = delete;
 
   class Run;
-
-  int MaxPointsPerLeaf = 1;
-  int MaxDepth = 21;
-  int FrequencyModel = Leaves;
-  int StartDepthModel = Median;
-  int FixedStartDepth = 0;
-  bool IncludeEmptyLeaves = false;
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "vtkHashedOctreeNeighborsFilter.h"
 
 #include "AdjacentSearch.h"
+#include "AlgorithmOptions.h"
 #include "AlgorithmProblems.h"
 #include "FieldValue.h"
 #include "InRadiusSearch.h"
@@ -9,9 +10,7 @@
 #include "OctreePass.h"
 
 #include "vtkCellData.h"
-#include "vtkDataObjectTree.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -92,7 +91,7 @@ class vtkHashedOctreeNeighborsFilter::Run
 public:
   explicit Run(vtkHashedOctreeNeighborsFilter* filter)
     : Self(filter)
-    , Reading(filter->IncludeEmptyLeaves ? EmptyOctants::Leaves : EmptyOctants::Missing)
+    , Reading(GetReading(filter))
   {
   }
 
@@ -116,7 +115,7 @@ public:
   OctreePass::Outputs Process(const PointsOctree& octree, const Execution& execution)
   {
     const Octree<3>& tree = octree.Tree;
-    const int startDepth = this->GetStartDepth(tree);
+    const int startDepth = GetStartDepth(tree.GetDepthCounts(), GetStartDepthOptions(this->Self));
     ++this->Trees;
     const std::optional<Node> query = this->FindQuery(tree, startDepth);
     if (!query)
@@ -179,14 +178,6 @@ public:
   }
 
 private:
-  int GetStartDepth(const Octree<3>& tree) const
-  {
-    const auto frequency = static_cast<hashedoctree::FrequencyModel>(this->Self->FrequencyModel);
-    return hashedoctree::GetStartDepth(GetDepthHistogram(tree.GetDepthCounts(), frequency, 3),
-      { static_cast<hashedoctree::StartDepthModel>(this->Self->StartDepthModel), frequency,
-        this->Self->FixedStartDepth });
-  }
-
   std::optional<Node> FindQuery(const Octree<3>& tree, int startDepth) const
   {
     MortonKey<3> key(static_cast<std::uint64_t>(this->Self->LeafKey));
@@ -204,35 +195,16 @@ private:
   int TreesWithQuery = 0;
 };
 
-int vtkHashedOctreeNeighborsFilter::FillInputPortInformation(
-  int vtkNotUsed(port), vtkInformation* info)
+vtkHashedOctreeNeighborsFilter::vtkHashedOctreeNeighborsFilter()
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
-  return 1;
+  // Most positions in the box of a scan lie in empty leaves.
+  this->IncludeEmptyLeaves = true;
 }
 
-int vtkHashedOctreeNeighborsFilter::FillOutputPortInformation(
-  int vtkNotUsed(port), vtkInformation* info)
+int vtkHashedOctreeNeighborsFilter::GetTypeOfOutput(
+  int vtkNotUsed(port), vtkInformationVector** vtkNotUsed(inputVector))
 {
-  // It depends on whether the input is composite.
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
-int vtkHashedOctreeNeighborsFilter::RequestDataObject(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  if (input == nullptr)
-  {
-    return 0;
-  }
-  const int type =
-    vtkDataObjectTree::SafeDownCast(input) ? input->GetDataObjectType() : VTK_UNSTRUCTURED_GRID;
-  vtkDataObjectAlgorithm::SetOutputDataObject(
-    type, outputVector->GetInformationObject(0), /*exact=*/true);
-  return 1;
+  return VTK_UNSTRUCTURED_GRID;
 }
 
 int vtkHashedOctreeNeighborsFilter::RequestData(vtkInformation* vtkNotUsed(request),
@@ -243,13 +215,9 @@ int vtkHashedOctreeNeighborsFilter::RequestData(vtkInformation* vtkNotUsed(reque
     {
       Run run(this);
       run.RequireQuery();
-      Octree<3>::Options options;
-      options.MaxPointsPerLeaf = static_cast<std::size_t>(this->MaxPointsPerLeaf);
-      options.MaxDepth = this->MaxDepth;
-      OctreePass(this, options)
-        .Execute(vtkDataObject::GetData(inputVector[0]), outputVector,
-          [&run](const PointsOctree& octree, const Execution& execution)
-          { return run.Process(octree, execution); });
+      OctreePass(this).Execute(vtkDataObject::GetData(inputVector[0]), outputVector,
+        [&run](const PointsOctree& octree, const Execution& execution)
+        { return run.Process(octree, execution); });
       run.CheckQueryLeaves(OctreePass::IsPiece(outputVector));
     });
 }
@@ -257,12 +225,6 @@ int vtkHashedOctreeNeighborsFilter::RequestData(vtkInformation* vtkNotUsed(reque
 void vtkHashedOctreeNeighborsFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
-  os << indent << "MaxDepth: " << this->MaxDepth << "\n";
-  os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
-  os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
-  os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
-  os << indent << "IncludeEmptyLeaves: " << this->IncludeEmptyLeaves << "\n";
   os << indent << "SearchMode: " << this->SearchMode << "\n";
   os << indent << "Center: " << this->Center[0] << ", " << this->Center[1] << ", "
      << this->Center[2] << "\n";

@@ -50,33 +50,14 @@
 #define vtkHashedOctreeNeighborsFilter_h
 
 #include "HashedOctreeFiltersModule.h" // For export macro
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkHashedOctreeAlgorithm.h"
 
-class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeNeighborsFilter : public vtkDataObjectAlgorithm
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeNeighborsFilter : public vtkHashedOctreeAlgorithm
 {
 public:
   static vtkHashedOctreeNeighborsFilter* New();
-  vtkTypeMacro(vtkHashedOctreeNeighborsFilter, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkHashedOctreeNeighborsFilter, vtkHashedOctreeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
-   * volume (paper section 4). */
-  enum FrequencyModels
-  {
-    Leaves = 0,
-    Points = 1,
-    Grid = 2
-  };
-
-  /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
-   * the nearest depth, at the root, or at FixedStartDepth. */
-  enum StartDepthModels
-  {
-    Median = 0,
-    Mean = 1,
-    Root = 2,
-    Fixed = 3
-  };
 
   /** Which leaves are neighbours. */
   enum SearchModes
@@ -102,45 +83,6 @@ public:
     Descended = 2,
     Above = 3
   };
-
-  ///@{
-  /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
-  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaxPointsPerLeaf, int);
-  ///@}
-
-  ///@{
-  /** Depth below which nothing is split, in [0, 21]; default 21. */
-  vtkSetClampMacro(MaxDepth, int, 0, 21);
-  vtkGetMacro(MaxDepth, int);
-  ///@}
-
-  ///@{
-  /** One of FrequencyModels; default Leaves. */
-  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
-  vtkGetMacro(FrequencyModel, int);
-  ///@}
-
-  ///@{
-  /** One of StartDepthModels; default Median. It changes what a search costs, never what it finds.
-   */
-  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
-  vtkGetMacro(StartDepthModel, int);
-  ///@}
-
-  ///@{
-  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
-  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
-  vtkGetMacro(FixedStartDepth, int);
-  ///@}
-
-  ///@{
-  /** Whether octants without points are leaves, as query leaf and as neighbours. Default on, as
-   * most positions of a sparse scan lie in empty leaves. */
-  vtkSetMacro(IncludeEmptyLeaves, bool);
-  vtkGetMacro(IncludeEmptyLeaves, bool);
-  vtkBooleanMacro(IncludeEmptyLeaves, bool);
-  ///@}
 
   ///@{
   /** One of SearchModes; default Adjacent. */
@@ -177,13 +119,10 @@ public:
   ///@}
 
 protected:
-  vtkHashedOctreeNeighborsFilter() = default;
+  vtkHashedOctreeNeighborsFilter();
   ~vtkHashedOctreeNeighborsFilter() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int GetTypeOfOutput(int port, vtkInformationVector** inputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
@@ -193,12 +132,6 @@ private:
 
   class Run;
 
-  int MaxPointsPerLeaf = 1;
-  int MaxDepth = 21;
-  int FrequencyModel = Leaves;
-  int StartDepthModel = Median;
-  int FixedStartDepth = 0;
-  bool IncludeEmptyLeaves = true;
   int SearchMode = Adjacent;
   double Center[3] = { 0.0, 0.0, 0.0 };
   bool UseLeafKey = false;

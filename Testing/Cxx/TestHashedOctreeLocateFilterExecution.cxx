@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSamples.h"
 #include "SameOutputs.h"
+#include "StopAt.h"
 #include "TestedLocateFilter.h"
 
 #include "vtkSMPTools.h"
@@ -9,34 +10,6 @@
 
 namespace
 {
-/** Stops an algorithm once its progress reaches a fraction. */
-class Stop
-{
-public:
-  Stop(vtkAlgorithm* algorithm, double fraction)
-    : Algorithm(algorithm)
-    , Fraction(fraction)
-    , Observer(algorithm->AddObserver(vtkCommand::ProgressEvent, this, &Stop::Look))
-  {
-  }
-  ~Stop() { this->Algorithm->RemoveObserver(this->Observer); }
-  Stop(const Stop&) = delete;
-  void operator=(const Stop&) = delete;
-
-private:
-  void Look(vtkObject*, unsigned long, void* progress)
-  {
-    if (*static_cast<const double*>(progress) >= this->Fraction)
-    {
-      this->Algorithm->SetAbortExecute(1);
-    }
-  }
-
-  vtkAlgorithm* Algorithm;
-  double Fraction;
-  unsigned long Observer;
-};
-
 vtkSmartPointer<vtkPolyData> MakeMany(unsigned seed)
 {
   return MakePolyData(MakeUniformPoints<3, double>(100000, seed));
@@ -64,7 +37,7 @@ TEST(TestHashedOctreeLocateFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUp
     SCOPED_TRACE(fraction);
     filter->Modified();
     {
-      const Stop stop(filter.GetFilter(), fraction);
+      const StopAt stop(filter.GetFilter(), fraction);
       filter.Update();
     }
     filter.ExpectEmptyOutputs();

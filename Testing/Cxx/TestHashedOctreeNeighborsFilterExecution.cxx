@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSamples.h"
 #include "SameOutputs.h"
+#include "StopAt.h"
 #include "TestedNeighborsFilter.h"
 
 #include "vtkImageData.h"
@@ -13,35 +14,6 @@
 namespace
 {
 using Filter = vtkHashedOctreeNeighborsFilter;
-
-/** Asks an algorithm to stop when its progress reaches a fraction. */
-class StopAt
-{
-public:
-  StopAt(vtkAlgorithm* algorithm, double fraction)
-    : Algorithm(algorithm)
-    , Fraction(fraction)
-    , Observer(algorithm->AddObserver(vtkCommand::ProgressEvent, this, &StopAt::Look))
-  {
-    algorithm->SetAbortExecute(0);
-  }
-  ~StopAt() { this->Algorithm->RemoveObserver(this->Observer); }
-  StopAt(const StopAt&) = delete;
-  void operator=(const StopAt&) = delete;
-
-private:
-  void Look(vtkObject*, unsigned long, void* progress)
-  {
-    if (*static_cast<const double*>(progress) >= this->Fraction)
-    {
-      this->Algorithm->SetAbortExecute(1);
-    }
-  }
-
-  vtkAlgorithm* Algorithm;
-  double Fraction;
-  unsigned long Observer;
-};
 }
 
 TEST(TestHashedOctreeNeighborsFilterExecution, RunsAgainWhenSomethingChangedOnly)

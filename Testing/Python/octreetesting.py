@@ -7,6 +7,7 @@ import sys
 from paraview import servermanager, simple
 from paraview.modules.vtkRemotingCore import vtkRemotingCoreConfiguration
 from vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonExecutionModel import vtkDataObjectAlgorithm
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -76,7 +77,7 @@ def value_of(filter_, name):
 def check_properties(proxy, class_, enumerations, inputs=("Input",)):
     """Every property of the class is one of the proxy, with the same name, default, range and names
     of values, and there are no others but the inputs. Returns the names."""
-    own = set(dir(class_)) - set(dir(class_.__bases__[0]))
+    own = set(dir(class_)) - set(dir(vtkDataObjectAlgorithm))
     names = {name[3:] for name in own
              if name.startswith("Set") and "Get" + name[3:] in own and "To" not in name[3:]}
     assert set(proxy.ListProperties()) == names | set(inputs), proxy.ListProperties()

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkHashedOctreeAlgorithm.h"
+
+#include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+int vtkHashedOctreeAlgorithm::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  return 1;
+}
+
+int vtkHashedOctreeAlgorithm::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  // All ports depend on whether the input is composite.
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (input == nullptr)
+  {
+    return 0;
+  }
+  const bool isComposite = vtkDataObjectTree::SafeDownCast(input) != nullptr;
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    const int single = this->GetTypeOfOutput(port, inputVector);
+    if (single < 0)
+    {
+      return 0;
+    }
+    vtkDataObjectAlgorithm::SetOutputDataObject(isComposite ? input->GetDataObjectType() : single,
+      outputVector->GetInformationObject(port), /*exact=*/true);
+  }
+  return 1;
+}
+
+void vtkHashedOctreeAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
+  os << indent << "MaxDepth: " << this->MaxDepth << "\n";
+  os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
+  os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
+  os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
+  os << indent << "IncludeEmptyLeaves: " << this->IncludeEmptyLeaves << "\n";
+}

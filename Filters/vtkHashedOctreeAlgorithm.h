@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkHashedOctreeAlgorithm
+ * @brief   what the filters over octrees of point sets have in common
+ *
+ * The properties of the tree, and of where searches in it start: filters with the same values build
+ * the same tree. Input port 0 is any vtkPointSet; of composite data sets every block is taken by
+ * itself, and the outputs are then composite data sets of its structure. Abstract.
+ */
+
+#ifndef vtkHashedOctreeAlgorithm_h
+#define vtkHashedOctreeAlgorithm_h
+
+#include "HashedOctreeFiltersModule.h" // For export macro
+#include "vtkDataObjectAlgorithm.h"
+
+class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeAlgorithm : public vtkDataObjectAlgorithm
+{
+public:
+  vtkTypeMacro(vtkHashedOctreeAlgorithm, vtkDataObjectAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
+   * volume (paper section 4). */
+  enum FrequencyModels
+  {
+    Leaves = 0,
+    Points = 1,
+    Grid = 2
+  };
+
+  /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
+   * the nearest depth, at the root, or at FixedStartDepth. */
+  enum StartDepthModels
+  {
+    Median = 0,
+    Mean = 1,
+    Root = 2,
+    Fixed = 3
+  };
+
+  ///@{
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
+  vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaxPointsPerLeaf, int);
+  ///@}
+
+  ///@{
+  /** Depth below which nothing is split, in [0, 21]; default 21. */
+  vtkSetClampMacro(MaxDepth, int, 0, 21);
+  vtkGetMacro(MaxDepth, int);
+  ///@}
+
+  ///@{
+  /** One of FrequencyModels; default Leaves. */
+  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
+  vtkGetMacro(FrequencyModel, int);
+  ///@}
+
+  ///@{
+  /** One of StartDepthModels; default Median. It changes what a search costs, never what it finds.
+   */
+  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
+  vtkGetMacro(StartDepthModel, int);
+  ///@}
+
+  ///@{
+  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
+  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
+  vtkGetMacro(FixedStartDepth, int);
+  ///@}
+
+  ///@{
+  /** Whether octants without points are leaves: in the output, and to searches. Default off, but on
+   * in vtkHashedOctreeNeighborsFilter. */
+  vtkSetMacro(IncludeEmptyLeaves, bool);
+  vtkGetMacro(IncludeEmptyLeaves, bool);
+  vtkBooleanMacro(IncludeEmptyLeaves, bool);
+  ///@}
+
+protected:
+  vtkHashedOctreeAlgorithm() = default;
+  ~vtkHashedOctreeAlgorithm() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+  /** The type of data object at an output port when port 0 has a single data set; negative when
+   * there is none to give. */
+  virtual int GetTypeOfOutput(int port, vtkInformationVector** inputVector) = 0;
+
+  bool IncludeEmptyLeaves = false;
+
+private:
+  vtkHashedOctreeAlgorithm(const vtkHashedOctreeAlgorithm&) = delete;
+  void operator=(const vtkHashedOctreeAlgorithm&) = delete;
+
+  int MaxPointsPerLeaf = 1;
+  int MaxDepth = 21;
+  int FrequencyModel = Leaves;
+  int StartDepthModel = Median;
+  int FixedStartDepth = 0;
+};
+
+#endif
