@@ -6,6 +6,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 #include "vtkVersionMacros.h"
 #include "vtkWeakPointer.h"
@@ -122,6 +123,16 @@ TEST(TestHashedOctreePointLocatorBuild, ModificationsRebuild)
   vtkNew<vtkPoints> others;
   others->DeepCopy(locator.GetCloud()->GetPoints());
   locator.GetCloud()->SetPoints(others);
+  EXPECT_EQ(locator.Use(), 1U);
+  vtkNew<vtkDoubleArray> array;
+  array->DeepCopy(locator.GetCloud()->GetPoints()->GetData());
+  locator.GetCloud()->GetPoints()->SetData(array);
+  EXPECT_EQ(locator.Use(), 1U);
+  array->Modified();
+  EXPECT_EQ(locator.Use(), 1U);
+  vtkNew<vtkPoints> third;
+  third->DeepCopy(others);
+  locator.GetCloud()->GetPoints()->ShallowCopy(third);
   EXPECT_EQ(locator.Use(), 1U);
   locator->SetMaxPointsPerLeaf(1);
   EXPECT_EQ(locator.Use(), 1U);

@@ -70,7 +70,7 @@ TEST(TestHashedOctreePointLocatorEdges, DataMayChangeAfterABuild)
 
 TEST(TestHashedOctreePointLocatorEdges, DataMayBeEmptiedAfterABuild)
 {
-  for (int way = 0; way < 5; ++way)
+  for (int way = 0; way < 7; ++way)
   {
     SCOPED_TRACE(way);
     const auto cloud = MakePointCloud(MakeUniformPoints<3, float>(100, 21));
@@ -92,6 +92,14 @@ TEST(TestHashedOctreePointLocatorEdges, DataMayBeEmptiedAfterABuild)
     else if (way == 3)
     {
       locator->SetDataSet(nullptr);
+    }
+    else if (way == 4)
+    {
+      cloud->GetPoints()->SetDataType(VTK_DOUBLE); // A new array.
+    }
+    else if (way == 5)
+    {
+      cloud->GetPoints()->Initialize();
     }
     else
     {
