@@ -21,8 +21,8 @@ bool IsAborted(vtkAlgorithm* algorithm)
 #endif
 }
 
-/** Parts of a range for each thread: enough to share it out evenly. More cost more than they are
- * worth, since to some backends each is a job that wakes a thread. */
+/** Parts of a range for each thread: enough to share it out evenly. To some backends each part is a
+ * job that wakes a thread. */
 constexpr vtkIdType PartsPerThread = 8;
 
 void RunOnThreads(

@@ -47,8 +47,10 @@ private:
   using Block = typename Octree<Dim>::Block;
   using Entry = typename Octree<Dim>::Entry;
 
-  /** Through the children of an internal node that meet the ball. */
-  void Descend(std::uint32_t number, Key key, const Cell<Dim>& cell, int depth)
+  /** Through the children of an internal node that meet the ball; through all of them, without a
+   * test, where the node lies inside it. */
+  void Descend(
+    std::uint32_t number, Key key, const Cell<Dim>& cell, int depth, bool isInside = false)
   {
     const Block& block = this->Tree.GetBlock(number);
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
@@ -60,7 +62,7 @@ private:
       }
       this->Examined.AddNode();
       const Cell<Dim> childCell = GetChildCell(cell, octant);
-      const BallSide side = this->Ball.GetSide(childCell, depth + 1);
+      const BallSide side = isInside ? BallSide::Inside : this->Ball.GetSide(childCell, depth + 1);
       if (side == BallSide::Outside)
       {
         continue;
@@ -69,36 +71,10 @@ private:
       {
         this->AddLeaf(block, octant, number, child, depth + 1);
       }
-      else if (side == BallSide::Across)
-      {
-        this->Descend(Octree<Dim>::GetChildBlock(block, octant), child, childCell, depth + 1);
-      }
       else
       {
-        this->ListLeaves(Octree<Dim>::GetChildBlock(block, octant), child, depth + 1);
-      }
-    }
-  }
-
-  /** All leaves of an internal node that lies inside the ball. */
-  void ListLeaves(std::uint32_t number, Key key, int depth)
-  {
-    const Block& block = this->Tree.GetBlock(number);
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
-    {
-      const Key child = key.GetChild(octant);
-      if (child == this->Node)
-      {
-        continue;
-      }
-      this->Examined.AddNode();
-      if ((block.Internal >> octant & 1U) == 0)
-      {
-        this->AddLeaf(block, octant, number, child, depth + 1);
-      }
-      else
-      {
-        this->ListLeaves(Octree<Dim>::GetChildBlock(block, octant), child, depth + 1);
+        this->Descend(Octree<Dim>::GetChildBlock(block, octant), child, childCell, depth + 1,
+          side == BallSide::Inside);
       }
     }
   }

@@ -2,7 +2,6 @@
 #include "PaperMeasurement.h"
 
 #include "DepthDecisionTree.h"
-#include "ForEachNode.h"
 #include "PaperWorkloads.h"
 #include "StartDepths.h"
 
@@ -104,26 +103,15 @@ void MeasureOptimisation(const PaperTrees& trees, int repetitions, PaperResults&
   results.OurOptimise = times[1];
 }
 
-double GetLocalCost(const Octree<3>& tree)
-{
-  const hashedoctree::StartDepths<3> starts(
-    tree, { hashedoctree::StartDepthModel::Local, FrequencyModel::Leaves, 0 });
-  std::size_t examined = 0;
-  ForEachLeaf(tree,
-    [&](const Octree<3>::Node& leaf)
-    {
-      const int startDepth = starts.Get(leaf.NodeKey.GetFirstAtMaxDepth());
-      examined += 1 + static_cast<std::size_t>(std::abs(leaf.NodeKey.GetDepth() - startDepth));
-    });
-  return static_cast<double>(examined) / static_cast<double>(tree.GetNumberOfLeaves());
-}
-
 ModelCosts GetModelCosts(const Octree<3>& tree)
 {
   using hashedoctree::GetMeanCost;
   const DepthHistogram& leaves = tree.GetDepthCounts().Leaves;
+  const hashedoctree::StartDepths<3> local(
+    tree, { hashedoctree::StartDepthModel::Local, FrequencyModel::Leaves, 0 });
   return { GetMeanCost(leaves, 0), GetMeanCost(leaves, hashedoctree::GetMedianDepth(leaves)),
-    GetMeanCost(leaves, hashedoctree::GetMeanDepth(leaves)), GetLocalCost(tree),
+    GetMeanCost(leaves, hashedoctree::GetMeanDepth(leaves)),
+    local.GetMeanCost(tree, FrequencyModel::Leaves),
     hashedoctree::DepthDecisionTree(leaves).GetMeanCost(), hashedoctree::GetEntropyBound(leaves) };
 }
 

@@ -78,19 +78,9 @@ TYPED_TEST_SUITE(TestAdjacentSearch, Dimensions);
 TYPED_TEST(TestAdjacentSearch, EqualsBruteForceAtTheModelledCost)
 {
   constexpr int dim = TestFixture::Dim;
-  for (const auto& sample : MakePointSamples<dim, double>())
-  {
-    for (const std::size_t bucket : { 1U, 3U })
-    {
-      SCOPED_TRACE(sample.Name);
-      const SampleTree<dim, double> made(sample, { bucket, MortonKey<dim>::MaxDepth });
-      const BruteForceNeighbors<dim> oracle(made.Tree);
-      for (const MortonKey<dim> node : PickNodes(made.Tree, 150))
-      {
-        this->Check(made.Tree, oracle, node);
-      }
-    }
-  }
+  ForNodesOfSamples<dim>(150,
+    [this](const auto& tree, const auto& oracle, MortonKey<dim> node)
+    { this->Check(tree, oracle, node); });
 }
 
 TYPED_TEST(TestAdjacentSearch, EqualsBruteForceForAllNodesOfSmallTrees)

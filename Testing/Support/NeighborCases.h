@@ -2,6 +2,7 @@
 #ifndef Testing_Support_NeighborCases_h
 #define Testing_Support_NeighborCases_h
 
+#include "BruteForceNeighbors.h"
 #include "Neighbor.h"
 #include "SampleTree.h"
 
@@ -56,6 +57,27 @@ std::vector<hashedoctree::MortonKey<Dim>> PickNodes(
       }
     });
   return nodes;
+}
+
+/** Calls check(tree, oracle, node) for about `wanted` nodes of each tree over the standing samples,
+ * with one point per leaf and with three. */
+template <int Dim, typename Check>
+void ForNodesOfSamples(std::size_t wanted, const Check& check)
+{
+  for (const auto& sample : MakePointSamples<Dim, double>())
+  {
+    for (const std::size_t bucket : { 1U, 3U })
+    {
+      SCOPED_TRACE(sample.Name);
+      const SampleTree<Dim, double> made(
+        sample, { bucket, hashedoctree::MortonKey<Dim>::MaxDepth });
+      const BruteForceNeighbors<Dim> oracle(made.Tree);
+      for (const hashedoctree::MortonKey<Dim> node : PickNodes(made.Tree, wanted))
+      {
+        check(made.Tree, oracle, node);
+      }
+    }
+  }
 }
 
 #endif
