@@ -13,9 +13,9 @@ namespace hashedoctree
  * examined for a leaf at depth l. They may come from any histogram that ends at MortonKey::MaxDepth
  * or before. The case tells where the leaf lies from the first depth.
  *
- * Each look goes through the table, while the search of DirectSearch.h goes down through the blocks
- * without it: so the fewest nodes are not always the least time. Other arguments as there. Thread
- * safe; O(depths).
+ * Which node is examined next is known only when the last one is, while the search of
+ * DirectSearch.h asks for nodes ahead: so the fewest nodes are not always the least time. Other
+ * arguments as there. Thread safe; O(depths).
  */
 template <template <int> class Tree, int Dim, typename Count>
 FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key,

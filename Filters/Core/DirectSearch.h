@@ -4,7 +4,7 @@
 
 #include "Octree.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 
 namespace hashedoctree
@@ -44,81 +44,74 @@ struct NodeCount
 
 /**
  * Direct search (paper Algorithm 1): the leaf that holds a position, found by starting at an
- * estimated depth. The node there is reached directly through the table; from it the search goes
- * down child by child, or up parent by parent.
+ * estimated depth. The node there is reached directly through the table, and so are those below it
+ * or above it, one after the other, until one is a leaf.
  *
- * The node at depth l is examined by reading what its parent's block tells of it: that it is
- * internal, that it is a leaf, or, when there is no such block, that the node does not exist. So a
- * leaf is known at first sight (paper E3), and finding the leaf at depth l examines exactly
+ * The node at depth l is examined by reading what the table tells of its parent: that the node is
+ * internal, that it is a leaf, or, when there is no such parent, that it does not exist. So a leaf
+ * is known at first sight (paper E3), and finding the leaf at depth l examines exactly
  * 1 + |l - startDepth| nodes. Start depth 0 is the classical search from the root.
  *
  * `key` is the position's key at MaxDepth (Grid::GetKey()); `startDepth` may be any depth in
  * [0, MortonKey::MaxDepth] and changes the cost, never the leaf. In the sparse reading an empty
  * octant is seen in its parent, at the same cost. Thread safe; O(1 + |l - startDepth|).
  *
- * `Tree` is Octree, or another tree that has these members of it: GetTable(), GetBlock(),
- * GetRootBlock(), GetChildBlock(), IsRootInternal(), GetNumberOfPoints(); and whose table and
- * blocks tell which children are internal and which hold points.
+ * `Tree` is Octree, or another tree that has these members of it: GetTable(), IsRootInternal(),
+ * GetNumberOfPoints(); and whose table tells which children are internal and which hold points.
  */
 template <template <int> class Tree, int Dim, typename Count>
 FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
-  const auto found = [reading](MortonKey<Dim> leaf, std::uint32_t block, SearchCase searchCase,
-                       bool occupied) {
-    return FoundLeaf<Dim>{ leaf, block, searchCase, occupied || reading == EmptyOctants::Leaves };
-  };
+  const auto& table = tree.GetTable();
+  // Where a node is in the table follows from its key alone. So those that are examined next are
+  // asked for now, and the machine loads them while it waits for the first.
+  const auto ask = [&table, key](int depth) { table.Prefetch(key.AtDepth(depth).GetValue()); };
+  ask(startDepth);
+  ask(std::max(startDepth - 2, 0));
 
-  // Up (case 3): no node at `depth` as long as its parent has no block.
-  int depth = startDepth;
-  unsigned octant = 0;
+  // Up (case 3): no node at `depth` as long as it has no parent.
   const typename Tree<Dim>::Entry* parent = nullptr;
+  int depth = startDepth;
   for (; depth > 0; --depth)
   {
     count.AddNode();
-    parent = tree.GetTable().Find(key.AtDepth(depth - 1).GetValue());
+    parent = table.Find(key.AtDepth(depth - 1).GetValue());
     if (parent != nullptr)
     {
-      octant = key.AtDepth(depth).GetOctant();
       break;
     }
+    ask(std::max(depth - 3, 0));
   }
 
-  std::uint32_t block = tree.GetRootBlock();
-  if (parent == nullptr)
+  if (depth == 0)
   {
     count.AddNode();
     if (!tree.IsRootInternal())
     {
-      return found(MortonKey<Dim>::Root(), 0, startDepth == 0 ? SearchCase::Hit : SearchCase::Up,
-        tree.GetNumberOfPoints() != 0);
+      return { MortonKey<Dim>::Root(), 0, startDepth == 0 ? SearchCase::Hit : SearchCase::Up,
+        tree.GetNumberOfPoints() != 0 || reading == EmptyOctants::Leaves };
     }
-  }
-  else
-  {
-    if ((parent->Internal >> octant & 1U) == 0)
-    {
-      return found(key.AtDepth(depth), parent->Block,
-        depth == startDepth ? SearchCase::Hit : SearchCase::Up,
-        (parent->Occupied >> octant & 1U) != 0);
-    }
-    block = Tree<Dim>::GetChildBlock(tree.GetBlock(parent->Block), octant);
-  }
-
-  // Down (case 2): `block` is that of the node at `depth`.
-  for (;;)
-  {
+    parent = table.Find(MortonKey<Dim>::Root().GetValue());
     ++depth;
     count.AddNode();
-    const typename Tree<Dim>::Block& here = tree.GetBlock(block);
-    octant = key.AtDepth(depth).GetOctant();
-    if ((here.Internal >> octant & 1U) == 0)
-    {
-      return found(
-        key.AtDepth(depth), block, SearchCase::Down, (here.Occupied >> octant & 1U) != 0);
-    }
-    block = Tree<Dim>::GetChildBlock(here, octant);
   }
+
+  // Down (case 2), as long as the node at `depth` is internal.
+  unsigned octant = key.AtDepth(depth).GetOctant();
+  while ((parent->Internal >> octant & 1U) != 0)
+  {
+    parent = table.Find(key.AtDepth(depth).GetValue());
+    ++depth;
+    ask(depth);
+    count.AddNode();
+    octant = key.AtDepth(depth).GetOctant();
+  }
+  return { key.AtDepth(depth), parent->Block,
+    depth == startDepth    ? SearchCase::Hit
+      : depth < startDepth ? SearchCase::Up
+                           : SearchCase::Down,
+    (parent->Occupied >> octant & 1U) != 0 || reading == EmptyOctants::Leaves };
 }
 
 /** FindLeaf() without counting. */

@@ -135,8 +135,6 @@ public:
   const NodeTable<Entry>& GetTable() const { return this->Table; }
 
   bool IsRootInternal() const { return this->Blocks.GetSize() != 0; }
-  /** The root's block, where the root is internal. */
-  static constexpr std::uint32_t GetRootBlock() { return 0; }
   Node GetRoot() const;
   /** A child of an internal node, which is always given in the complete reading. O(1). */
   Node GetChild(std::size_t block, unsigned octant) const;
@@ -149,6 +147,18 @@ public:
   /** The node of a key, or nothing where the tree has none: direct access by key, or by position
    * and depth through Grid::GetKey() and MortonKey::AtDepth() (paper section 2). O(1). */
   std::optional<Node> FindNode(Key key, EmptyOctants reading = EmptyOctants::Leaves) const;
+
+  /** Asks the machine to load what the table tells of some children of a node, all of them
+   * internal, before a search goes down into the first. Inline always: left to itself GCC takes a
+   * function that only does so for one that does nothing, and leaves out the call. */
+  [[gnu::always_inline]] void PrefetchChildren(Key key, std::uint32_t children) const
+  {
+    for (; children != 0; children &= children - 1)
+    {
+      const auto octant = static_cast<unsigned>(__builtin_ctz(children));
+      this->Table.Prefetch(key.GetChild(octant).GetValue());
+    }
+  }
 
   /** Bytes of the tree itself: blocks, their keys and the table. */
   std::size_t GetTreeBytes() const
