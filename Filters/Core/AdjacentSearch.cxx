@@ -38,7 +38,6 @@ public:
 
 private:
   using Key = MortonKey<Dim>;
-  using Block = typename Octree<Dim>::Block;
   using Entry = typename Octree<Dim>::Entry;
 
   /** The parents of the cells around the node. */
@@ -66,7 +65,9 @@ private:
     }
     const unsigned own = this->Node.GetOctant();
     const NeighborDirection<Dim> toParent{ across, own & across };
-    for (unsigned rest = toParent.GetTouchingOctants(); rest != 0; rest &= rest - 1)
+    const OctantMask<Dim> touching = toParent.GetTouchingOctants();
+    this->Tree.PrefetchChildren(parentKey, entry.Internal & touching);
+    for (unsigned rest = touching; rest != 0; rest &= rest - 1)
     {
       const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
       const unsigned axes = across | (octant ^ own);
@@ -79,8 +80,7 @@ private:
       {
         // Across the border of the node's own parent a step up leads to a lower octant.
         const NeighborDirection<Dim> direction{ axes, (octant ^ across) & axes };
-        this->Descend(Octree<Dim>::GetChildBlock(this->Tree.GetBlock(entry.Block), octant),
-          parentKey.GetChild(octant), direction.GetTouchingOctants());
+        this->Descend(parentKey.GetChild(octant), direction.GetTouchingOctants());
       }
       else if (this->IsLeaf(entry.Occupied, octant))
       {
@@ -90,20 +90,21 @@ private:
   }
 
   /** The leaves below a neighbour that touch the node: in any depth in the same octants. */
-  void Descend(std::uint32_t number, Key key, OctantMask<Dim> touching)
+  void Descend(Key key, OctantMask<Dim> touching)
   {
-    const Block& block = this->Tree.GetBlock(number);
+    const Entry& entry = *this->Tree.GetTable().Find(key.GetValue());
+    this->Tree.PrefetchChildren(key, entry.Internal & touching);
     for (unsigned rest = touching; rest != 0; rest &= rest - 1)
     {
       const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
       this->Examined.AddNode();
-      if ((block.Internal >> octant & 1U) != 0)
+      if ((entry.Internal >> octant & 1U) != 0)
       {
-        this->Descend(Octree<Dim>::GetChildBlock(block, octant), key.GetChild(octant), touching);
+        this->Descend(key.GetChild(octant), touching);
       }
-      else if (this->IsLeaf(block.Occupied, octant))
+      else if (this->IsLeaf(entry.Occupied, octant))
       {
-        this->Found.push_back({ key.GetChild(octant), number, NeighborCase::Descended });
+        this->Found.push_back({ key.GetChild(octant), entry.Block, NeighborCase::Descended });
       }
     }
   }

@@ -19,8 +19,9 @@ namespace hashedoctree
  * depth - 1) (case 3, E5).
  *
  * The 3^Dim - 1 cells are children of 2^Dim cells at most, so that reaching them takes that many
- * table accesses; going down takes none. Where such a parent is not internal, none of its children
- * exist, which is known at one look, and one leaf holds them all.
+ * table accesses, and going down one for each internal node; those that are known together are made
+ * together. Where such a parent is not internal, none of its children exist, which is known at one
+ * look, and one leaf holds them all.
  *
  * `node` is any existing node, leaf or internal; leaves inside an internal one are not its
  * neighbours. The root has none. `found` is replaced by the leaves, each once. In the sparse

@@ -31,7 +31,7 @@ public:
     ReachCells(
       this->Tree, cover, startDepth, this->Reading, this->Examined,
       [this, &cover](const Cell<Dim>& cell, Key key, const Entry& entry)
-      { this->Descend(entry.Block, key, cell, cover.Depth); },
+      { this->Descend(entry, key, cell, cover.Depth); },
       [this](const FoundLeaf<Dim>& leaf)
       {
         const Key key = leaf.Key;
@@ -44,39 +44,43 @@ public:
 
 private:
   using Key = MortonKey<Dim>;
-  using Block = typename Octree<Dim>::Block;
   using Entry = typename Octree<Dim>::Entry;
 
   /** Through the children of an internal node that meet the ball; through all of them, without a
    * test, where the node lies inside it. */
-  void Descend(
-    std::uint32_t number, Key key, const Cell<Dim>& cell, int depth, bool isInside = false)
+  void Descend(const Entry& entry, Key key, const Cell<Dim>& cell, int depth, bool isInside = false)
   {
-    const Block& block = this->Tree.GetBlock(number);
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    const std::uint32_t others = this->GetOthers(key);
+    for (std::uint32_t rest = others; rest != 0; rest &= rest - 1)
     {
-      const Key child = key.GetChild(octant);
-      if (child == this->Node)
-      {
-        continue;
-      }
       this->Examined.AddNode();
-      const Cell<Dim> childCell = GetChildCell(cell, octant);
-      const BallSide side = isInside ? BallSide::Inside : this->Ball.GetSide(childCell, depth + 1);
-      if (side == BallSide::Outside)
+    }
+    const BallSides sides =
+      isInside ? BallSides{ others, others } : this->Ball.GetSidesOfChildren(cell, depth);
+    const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : entry.Occupied;
+    const std::uint32_t found = others & sides.Meeting & nodes;
+    this->Tree.PrefetchChildren(key, found & entry.Internal);
+    for (std::uint32_t rest = found; rest != 0; rest &= rest - 1)
+    {
+      const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
+      const Key child = key.GetChild(octant);
+      if ((entry.Internal >> octant & 1U) == 0)
       {
-        continue;
-      }
-      if ((block.Internal >> octant & 1U) == 0)
-      {
-        this->AddLeaf(block, octant, number, child, depth + 1);
+        this->Found.push_back({ child, entry.Block, this->GetCase(depth + 1) });
       }
       else
       {
-        this->Descend(Octree<Dim>::GetChildBlock(block, octant), child, childCell, depth + 1,
-          side == BallSide::Inside);
+        this->Descend(*this->Tree.GetTable().Find(child.GetValue()), child,
+          GetChildCell(cell, octant), depth + 1, (sides.Inside >> octant & 1U) != 0);
       }
     }
+  }
+
+  /** The children of a node without the node that is searched from. */
+  std::uint32_t GetOthers(Key key) const
+  {
+    constexpr std::uint32_t all = (1U << Key::NumberOfOctants) - 1U;
+    return key == this->Node.GetParent() ? all ^ 1U << this->Node.GetOctant() : all;
   }
 
   static Cell<Dim> GetChildCell(const Cell<Dim>& cell, unsigned octant)
@@ -89,16 +93,11 @@ private:
     return child;
   }
 
-  /** A child that is not internal, unless it is an empty octant of a sparse tree. */
-  void AddLeaf(const Block& block, unsigned octant, std::uint32_t number, Key key, int depth)
+  NeighborCase GetCase(int depth) const
   {
-    if (this->Reading == EmptyOctants::Leaves || (block.Occupied >> octant & 1U) != 0)
-    {
-      this->Found.push_back({ key, number,
-        depth == this->Depth    ? NeighborCase::Leaf
-          : depth > this->Depth ? NeighborCase::Descended
-                                : NeighborCase::Above });
-    }
+    return depth == this->Depth ? NeighborCase::Leaf
+      : depth > this->Depth     ? NeighborCase::Descended
+                                : NeighborCase::Above;
   }
 
   const Octree<Dim>& Tree;

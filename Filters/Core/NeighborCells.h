@@ -28,16 +28,27 @@ struct NeighborCells
     return cell;
   }
 
-  /** Whether no smaller corner has the same cell. */
-  bool IsFirst(unsigned corner) const
+  /** The keys of the cells by corner; Key() where a smaller corner has the same cell. */
+  std::array<MortonKey<Dim>, std::size_t(1) << Dim> GetKeys() const
   {
-    bool isFirst = true;
+    const std::uint64_t lower = MortonKey<Dim>::FromCell(this->Lower, this->Depth).GetValue();
+    const std::uint64_t upper = MortonKey<Dim>::FromCell(this->Upper, this->Depth).GetValue();
+    unsigned apart = 0; // The axes along which there are two.
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const bool isUpper = (corner >> (Dim - 1 - axis) & 1U) != 0;
-      isFirst &= !isUpper || this->Upper[axis] != this->Lower[axis];
+      apart |= (this->Lower[axis] != this->Upper[axis] ? 1U : 0U) << (Dim - 1 - axis);
     }
-    return isFirst;
+    std::array<MortonKey<Dim>, std::size_t(1) << Dim> keys{};
+    for (unsigned corner = 0; corner < keys.size(); ++corner)
+    {
+      if ((corner & ~apart) == 0)
+      {
+        // All bits of the axes along which the corner is the upper one.
+        const std::uint64_t bits = Dilation<Dim>::Mask(1) * corner;
+        keys[corner] = MortonKey<Dim>(lower ^ ((lower ^ upper) & bits));
+      }
+    }
+    return keys;
   }
 };
 
@@ -56,13 +67,11 @@ void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int st
   EmptyOctants reading, Count& count, const OnBlock& onBlock, const OnLeaf& onLeaf)
 {
   using Key = MortonKey<Dim>;
-  std::array<Key, Key::NumberOfOctants> keys{}; // Where it is Key(), there is nothing to do.
-  for (unsigned corner = 0; corner < keys.size(); ++corner)
+  std::array<Key, Key::NumberOfOctants> keys =
+    cells.GetKeys(); // Key() where nothing is to be done.
+  for (const Key key : keys)
   {
-    if (cells.IsFirst(corner))
-    {
-      keys[corner] = Key::FromCell(cells.GetCell(corner), cells.Depth);
-    }
+    tree.GetTable().Prefetch(key.GetValue());
   }
   for (unsigned corner = 0; corner < keys.size(); ++corner)
   {

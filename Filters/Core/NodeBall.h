@@ -18,6 +18,13 @@ enum class BallSide
   Inside
 };
 
+/** How the children of a cell lie to a ball, one bit for each octant. */
+struct BallSides
+{
+  std::uint32_t Meeting; ///< Across or inside.
+  std::uint32_t Inside;
+};
+
 /**
  * A ball around the center of a node (paper section 3c), in the grid of a tree. Lengths are in half
  * cells of MaxDepth, in which the corners and centers of all nodes are integers, so that what
@@ -65,6 +72,41 @@ public:
     return nearest2 > this->Radius2 ? BallSide::Outside
       : farthest2 > this->Radius2   ? BallSide::Across
                                     : BallSide::Inside;
+  }
+
+  /** How the children of a cell lie to the ball. `depth` is that of the cell. */
+  BallSides GetSidesOfChildren(const Cell<Dim>& cell, int depth) const
+  {
+    // On each axis there are two places only.
+    std::array<std::array<double, 2>, Dim> nearest2;
+    std::array<std::array<double, 2>, Dim> farthest2;
+    const std::int64_t size = std::int64_t(1) << (Key::MaxDepth - depth);
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      for (std::size_t half = 0; half < 2; ++half)
+      {
+        const std::int64_t below =
+          this->Center[axis] - (2 * std::int64_t(cell[axis]) + std::int64_t(half)) * size;
+        const std::int64_t above = size - below;
+        nearest2[axis][half] = Square(std::max<std::int64_t>({ 0, -below, -above }));
+        farthest2[axis][half] = Square(std::max(below, above));
+      }
+    }
+    BallSides sides{ 0, 0 };
+    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    {
+      double near2 = 0.0;
+      double far2 = 0.0;
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        const unsigned half = octant >> (Dim - 1 - axis) & 1U;
+        near2 += nearest2[axis][half];
+        far2 += farthest2[axis][half];
+      }
+      sides.Meeting |= (near2 <= this->Radius2 ? 1U : 0U) << octant;
+      sides.Inside |= (far2 <= this->Radius2 ? 1U : 0U) << octant;
+    }
+    return sides;
   }
 
   /** Cells, 2^Dim at most, that hold all of the ball that is in the root: of the deepest depth

@@ -53,7 +53,7 @@ TYPED_TEST(TestNodeBall, CellsLieAsTheirNearestAndFarthestPoints)
   {
     const int depth = static_cast<int>(random() % 6 + 1);
     const Key node = this->MakeKey(random, depth);
-    const Key other = this->MakeKey(random, static_cast<int>(random() % 7));
+    const Key other = this->MakeKey(random, static_cast<int>(random() % 7) + 1);
     // Whole cells often, so that balls touch cells and no more.
     const double radius =
       std::ldexp(static_cast<double>(random() % 32), -static_cast<int>(random() % 5) - 2);
@@ -67,6 +67,10 @@ TYPED_TEST(TestNodeBall, CellsLieAsTheirNearestAndFarthestPoints)
                                                  : BallSide::Inside;
     ASSERT_EQ(ball.GetSide(other.GetCell(), other.GetDepth()), expected);
     ASSERT_EQ(ball.ReachesBorder(), radius >= std::ldexp(2.0, -depth));
+    const BallSides children =
+      ball.GetSidesOfChildren(other.GetParent().GetCell(), other.GetDepth() - 1);
+    ASSERT_EQ(children.Meeting >> other.GetOctant() & 1U, expected != BallSide::Outside ? 1U : 0U);
+    ASSERT_EQ(children.Inside >> other.GetOctant() & 1U, expected == BallSide::Inside ? 1U : 0U);
     ++sides[static_cast<int>(expected)];
   }
   EXPECT_GT(std::min({ sides[0], sides[1], sides[2] }), 500);
