@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QueryDepths.h"
 
-#include "DirectSearch.h"
+#include "DirectBatch.h"
 
 #include <algorithm>
 
@@ -21,17 +21,17 @@ DepthHistogram MeasureQueryDepths(
       for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
       {
         PerDepth counts{};
-        const std::size_t last = std::min(queries.Count, (chunk + 1) * chunkSize);
-        for (std::size_t i = chunk * chunkSize; i < last; ++i)
-        {
-          Position<Dim> x;
-          std::copy(queries[i], queries[i] + Dim, x.begin());
-          if (IsFinite(x))
+        const std::size_t first = chunk * chunkSize;
+        const PointSpan<Dim, Real> part{ queries[first],
+          std::min(chunkSize, queries.Count - first) };
+        FindLeaves(
+          tree, part, [startDepth](MortonKey<Dim>) { return startDepth; },
+          [&counts, part](std::size_t i, const FoundLeaf<Dim>& leaf)
           {
-            const auto leaf = FindLeaf(tree, tree.GetGrid().GetKey(x.data()), startDepth);
-            ++counts[static_cast<std::size_t>(leaf.Key.GetDepth())];
-          }
-        }
+            Position<Dim> x;
+            std::copy(part[i], part[i] + Dim, x.begin());
+            counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += IsFinite(x) ? 1 : 0;
+          });
         chunks[chunk] = counts;
       }
     });

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_DirectBatch_h
+#define hashedoctree_DirectBatch_h
+
+#include "DirectSearch.h"
+
+#include <array>
+
+namespace hashedoctree
+{
+/**
+ * Direct searches for many positions, one after the other, for each of which it calls
+ * onLeaf(i, leaf) with what FindLeaf() finds. Where a search begins in the table follows from its
+ * position alone. So the machine is asked for the beginnings of a group of searches before the
+ * first of them waits for its own: the more of the tree is outside of the caches the more that
+ * saves.
+ *
+ * Positions are placed as by Grid::GetKey(), also those that are outside the root or not finite.
+ * getStartDepth(key) says where the search for a key at MaxDepth starts, in [0, MaxDepth]. Other
+ * arguments, and the cost, as of FindLeaf(). Allocates nothing. Thread safe.
+ */
+template <template <int> class Tree, int Dim, typename Real, typename GetStartDepth,
+  typename OnLeaf>
+void FindLeaves(const Tree<Dim>& tree, PointSpan<Dim, Real> positions,
+  const GetStartDepth& getStartDepth, const OnLeaf& onLeaf,
+  EmptyOctants reading = EmptyOctants::Leaves)
+{
+  constexpr std::size_t groupSize = 16; // Loads that a machine has on their way at a time.
+  std::array<MortonKey<Dim>, groupSize> keys;
+  std::array<int, groupSize> startDepths;
+  for (std::size_t first = 0; first < positions.Count; first += groupSize)
+  {
+    const std::size_t count = std::min(groupSize, positions.Count - first);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      keys[i] = tree.GetGrid().GetKey(positions[first + i]);
+      startDepths[i] = getStartDepth(keys[i]);
+      tree.GetTable().Prefetch(keys[i].AtDepth(std::max(startDepths[i] - 1, 0)).GetValue());
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      onLeaf(first + i, FindLeaf(tree, keys[i], startDepths[i], reading));
+    }
+  }
+}
+}
+
+#endif

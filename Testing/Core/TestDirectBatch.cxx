@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectBatch.h"
+
+#include "Dimensions.h"
+#include "SampleTree.h"
+
+#include <limits>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestDirectBatch : public ::testing::Test
+{
+protected:
+  static constexpr int Dim = Dimension::value;
+
+  /** Another start depth for every position, the ends of the range among them. */
+  static int GetStartDepth(MortonKey<Dim> key)
+  {
+    return static_cast<int>(key.GetValue() % (MortonKey<Dim>::MaxDepth + 1));
+  }
+
+  static void Check(const Octree<Dim>& tree, PointSpan<Dim, float> positions, EmptyOctants reading)
+  {
+    std::size_t next = 0;
+    FindLeaves(
+      tree, positions, GetStartDepth,
+      [&](std::size_t i, const FoundLeaf<Dim>& leaf)
+      {
+        ASSERT_EQ(i, next++);
+        const MortonKey<Dim> key = tree.GetGrid().GetKey(positions[i]);
+        const FoundLeaf<Dim> single = FindLeaf(tree, key, GetStartDepth(key), reading);
+        ASSERT_EQ(leaf.Key, single.Key);
+        ASSERT_EQ(leaf.ParentBlock, single.ParentBlock);
+        ASSERT_EQ(leaf.Case, single.Case);
+        ASSERT_EQ(leaf.Exists, single.Exists);
+      },
+      reading);
+    ASSERT_EQ(next, positions.Count);
+  }
+};
+TYPED_TEST_SUITE(TestDirectBatch, Dimensions);
+
+TYPED_TEST(TestDirectBatch, FindsWhatSingleSearchesFindInOrder)
+{
+  constexpr int dim = TestFixture::Dim;
+  // Around the root, and partly outside it.
+  PointSample<dim, float> queries{ "queries", MakeUniformPoints<dim, float>(100, 182, -0.2, 1.2) };
+  queries.Coordinates[0] = std::numeric_limits<float>::quiet_NaN();
+  queries.Coordinates[dim] = std::numeric_limits<float>::infinity();
+  for (const auto& sample : MakePointSamples<dim, float>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, float> made(sample);
+    for (const EmptyOctants reading : { EmptyOctants::Leaves, EmptyOctants::Missing })
+    {
+      this->Check(made.Tree, queries.GetSpan(), reading);
+    }
+  }
+}
+
+TYPED_TEST(TestDirectBatch, TakesAnyNumberOfPositions)
+{
+  constexpr int dim = TestFixture::Dim;
+  const PointSample<dim, float> sample{ "uniform", MakeUniformPoints<dim, float>(70, 183) };
+  const SampleTree<dim, float> made(sample);
+  for (std::size_t count = 0; count <= 70; ++count)
+  {
+    this->Check(made.Tree, { sample.GetSpan().Coordinates, count }, EmptyOctants::Leaves);
+  }
+}
