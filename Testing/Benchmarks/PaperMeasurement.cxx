@@ -2,6 +2,8 @@
 #include "PaperMeasurement.h"
 
 #include "DepthDecisionTree.h"
+#include "PaperFrequencyCosts.h"
+#include "PaperNeighborStarts.h"
 #include "PaperWorkloads.h"
 #include "StartDepths.h"
 
@@ -203,6 +205,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   DescribeTree(trees.Ours, results);
   MeasureOptimisation(trees, repetitions, results);
   results.Costs = GetModelCosts(trees.Ours);
+  CountFrequencyCosts(trees.Ours, results);
 
   const Peers peers = MakePeers(trees, results.StartDepth);
   const std::vector<Key> leaves = SampleLeaves(trees.Ours);
@@ -214,6 +217,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   CheckAnswers(peers, points, radius, results);
   MeasureSearches(peers, points, radius, repetitions, results);
   MeasureWorkloads(trees, points, repetitions, results);
+  MeasureNeighborStarts(trees.Ours, leaves, radius, results);
   return results;
 }
 }

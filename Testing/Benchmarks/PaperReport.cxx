@@ -59,7 +59,10 @@ void WriteReport(const std::vector<PaperResults>& sets, int repetitions, std::os
   WriteTable1(markdown, sets);
   WriteTable2(markdown, sets);
   WriteTable3(markdown, sets);
+  WriteFrequencies(markdown, sets);
   WriteModels(markdown, sets);
+  WriteGainsByDeviation(markdown, sets);
+  WriteNeighborStarts(markdown, sets);
   WriteClaims(markdown, sets);
 }
 }

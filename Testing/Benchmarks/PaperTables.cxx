@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PaperTables.h"
 
+#include "ModelComparison.h"
 #include "PaperMeasurement.h"
 #include "PaperSummary.h"
 
@@ -14,6 +15,54 @@ namespace
 const std::vector<std::string> KindNames{ "Direct search", "Adjacent neighbours",
   "In-radius neighbours" };
 const std::vector<std::string> WorkloadNames{ "all points", "all leaves", "a grid of 128^3" };
+
+std::string FormatComparison(const ModelComparison& comparison)
+{
+  switch (comparison.Outcome)
+  {
+    case ModelOutcome::Wins:
+      return "wins, x " + Format(comparison.BestOther);
+    case ModelOutcome::Ties:
+      return "ties, x " + Format(comparison.BestOther);
+    case ModelOutcome::Loses:
+      return "loses, x " + Format(comparison.BestOther);
+    default:
+      return "all alike";
+  }
+}
+
+void WriteTable3BySet(std::ostream& out, const std::vector<PaperResults>& sets)
+{
+  out
+    << "\nSet by set: whether the start depth of the row's own model is the fastest, beside those "
+       "of the other models that differ from it, and the time of the best of these over its own. "
+       "It wins or loses where the middle halves of the repetitions lie apart, else it ties.\n\n";
+  std::vector<std::string> head{ "set", "start depths" };
+  for (const std::string layout : { "its layout: ", "ours: " })
+  {
+    for (const std::string& name : WorkloadNames)
+    {
+      head.push_back(layout + name);
+    }
+  }
+  WriteHead(out, head);
+  for (const PaperResults& set : sets)
+  {
+    std::vector<std::string> row{ set.Set.Name, "" };
+    for (const FrequencyCosts& model : set.Frequencies)
+    {
+      row.back() += (row.back().empty() ? "" : ", ") + std::to_string(model.StartDepth);
+    }
+    for (const auto times : { &PaperResults::PaperWorkloads, &PaperResults::OurWorkloads })
+    {
+      for (std::size_t workload = 0; workload < NumberOfModels; ++workload)
+      {
+        row.push_back(FormatComparison(CompareModels(set, times, workload)));
+      }
+    }
+    WriteRow(out, row);
+  }
+}
 
 /** Gains over one peer, both ways (E15). */
 void WriteGains(
@@ -154,5 +203,6 @@ void WriteTable3(std::ostream& out, const std::vector<PaperResults>& sets)
     }
     WriteRow(out, cells);
   }
+  WriteTable3BySet(out, sets);
 }
 }

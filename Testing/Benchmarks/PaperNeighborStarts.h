@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Benchmarks_PaperNeighborStarts_h
+#define Testing_Benchmarks_PaperNeighborStarts_h
+
+#include "PaperResults.h"
+
+namespace paper_benchmark
+{
+/** Leaves, of those given, whose neighbours are searched for from every start depth. */
+constexpr std::size_t MaxScannedLeaves = 2000;
+
+/** Counts what neighbour searches examine from different start depths (end of the paper's section
+ * 4, #41, #42), and checks that NodeStartDepths has the best for each leaf. `radius` is in world
+ * units. */
+void MeasureNeighborStarts(const hashedoctree::Octree<3>& tree, const std::vector<Key>& leaves,
+  double radius, PaperResults& results);
+}
+
+#endif
