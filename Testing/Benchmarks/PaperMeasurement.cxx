@@ -3,6 +3,7 @@
 
 #include "DepthDecisionTree.h"
 #include "PaperFrequencyCosts.h"
+#include "PaperKeys.h"
 #include "PaperNeighborStarts.h"
 #include "PaperWorkloads.h"
 #include "StartDepths.h"
@@ -218,6 +219,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   MeasureSearches(peers, points, radius, repetitions, results);
   MeasureWorkloads(trees, points, repetitions, results);
   MeasureNeighborStarts(trees.Ours, leaves, radius, results);
+  MeasureKeys(trees.Ours, points, repetitions, results);
   return results;
 }
 }

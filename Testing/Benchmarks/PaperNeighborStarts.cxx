@@ -2,6 +2,7 @@
 #include "PaperNeighborStarts.h"
 
 #include "AdjacentSearch.h"
+#include "AdjacentSearchAtStartDepth.h"
 #include "InRadiusSearch.h"
 #include "NodeStartDepths.h"
 
@@ -47,6 +48,32 @@ NeighborCosts GetCosts(const std::vector<std::vector<std::uint64_t>>& nodes, int
   return { getMean(sums.front()), getMean(sums[static_cast<std::size_t>(median)]), getMean(*best),
     static_cast<int>(best - sums.begin()), getMean(own) };
 }
+
+/** Both options of the adjacent search (the paper's section 3b) from the median, once. */
+void CompareOptions(const Octree<3>& tree, const std::vector<Key>& leaves, PaperResults& results)
+{
+  const auto measure = [&leaves](NodeCount& count, const auto& search)
+  {
+    const double seconds = GetSeconds(
+      [&]
+      {
+        for (const Key leaf : leaves)
+        {
+          search(leaf);
+        }
+      });
+    const auto number = static_cast<double>(leaves.size());
+    return AdjacentOption{ static_cast<double>(count.Nodes) / number, seconds / number };
+  };
+  std::vector<hashedoctree::Neighbor<3>> found;
+  NodeCount rejectedCount;
+  AdjacentSearchAtStartDepth<3, NodeCount> rejected(tree, rejectedCount);
+  results.Neighbors.Rejected =
+    measure(rejectedCount, [&](Key leaf) { rejected.Find(leaf, results.StartDepth, found); });
+  NodeCount takenCount;
+  results.Neighbors.Taken = measure(takenCount,
+    [&](Key leaf) { FindAdjacentLeaves(tree, leaf, results.StartDepth, found, takenCount); });
+}
 }
 
 void MeasureNeighborStarts(
@@ -86,5 +113,7 @@ void MeasureNeighborStarts(
     ++results.CheckedAnswers;
     results.DifferentAnswers += countAdjacent(scanned[i], startDepth) == fewest ? 0 : 1;
   }
+  CompareOptions(tree,
+    { scanned.begin(), scanned.begin() + std::min(scanned.size(), MaxRejectedLeaves) }, results);
 }
 }

@@ -9,6 +9,10 @@ namespace paper_benchmark
 /** Leaves, of those given, whose neighbours are searched for from every start depth. */
 constexpr std::size_t MaxScannedLeaves = 2000;
 
+/** Leaves around which the adjacent search is done by the option that the paper rejects, which can
+ * take millions of nodes for one. */
+constexpr std::size_t MaxRejectedLeaves = 200;
+
 /** Counts what neighbour searches examine from different start depths (end of the paper's section
  * 4, #41, #42), and checks that NodeStartDepths has the best for each leaf. `radius` is in world
  * units. */

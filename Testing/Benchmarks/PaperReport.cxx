@@ -2,6 +2,7 @@
 #include "PaperReport.h"
 
 #include "PaperClaims.h"
+#include "PaperKeys.h"
 #include "PaperStartDepthTables.h"
 #include "PaperTables.h"
 
@@ -63,6 +64,8 @@ void WriteReport(const std::vector<PaperResults>& sets, int repetitions, std::os
   WriteModels(markdown, sets);
   WriteGainsByDeviation(markdown, sets);
   WriteNeighborStarts(markdown, sets);
+  WriteRejectedOption(markdown, sets);
+  WriteKeys(markdown, sets);
   WriteClaims(markdown, sets);
 }
 }

@@ -52,6 +52,29 @@ struct FrequencyCosts
   std::array<double, NumberOfModels> Medians{}; ///< From the start depth of each model.
 };
 
+/** How a hash spreads keys over a table of buckets. */
+struct HashProbes
+{
+  double Load;          ///< Share of the slots that are taken.
+  double First;         ///< Share of the keys that are in the first bucket looked at.
+  double Mean;          ///< Buckets looked at for a key.
+  std::size_t Greatest; ///< The most of them.
+};
+struct KeyCosts
+{
+  Spread Dilation;
+  Spread Pdep; ///< Zero where the machine cannot.
+  HashProbes LowBits{};
+  HashProbes Mixing{};
+};
+
+/** Nodes and seconds of an adjacent search. */
+struct AdjacentOption
+{
+  double Nodes = 0.0;
+  double Seconds = 0.0;
+};
+
 /** Mean numbers of nodes that searches for the neighbours of a leaf examine. */
 struct NeighborCosts
 {
@@ -67,6 +90,8 @@ struct NeighborStarts
   NeighborCosts InRadius{};
   std::size_t StoredBytes = 0; ///< Of NodeStartDepths, which has Own of the adjacent search.
   double StoredSeconds = 0.0;  ///< What making them took.
+  AdjacentOption Rejected;     ///< The option that the paper rejects (#22), from the median.
+  AdjacentOption Taken;        ///< The other one, for the same leaves.
 };
 
 /** Mean numbers of nodes that a search examines when every leaf is searched for once. */
@@ -103,6 +128,7 @@ struct PaperResults
   ModelCosts Costs{};
   std::array<FrequencyCosts, NumberOfModels> Frequencies;
   NeighborStarts Neighbors;
+  KeyCosts Keys;
   std::size_t CheckedAnswers = 0;
   std::size_t DifferentAnswers = 0;
 };

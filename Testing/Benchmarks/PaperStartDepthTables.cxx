@@ -83,6 +83,25 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
   }
 }
 
+void WriteRejectedOption(std::ostream& out, const std::vector<PaperResults>& sets)
+{
+  out
+    << "\n## The option of the adjacent search that the paper rejects\n\nFrom the cells of the "
+       "start depth around the leaf along the hierarchy (section 3b, #22), beside the option that "
+       "it takes, both from the median, in our layout: mean of "
+    << MaxRejectedLeaves << " leaves drawn from all, timed once.\n\n";
+  WriteHead(
+    out, { "set", "rejected: nodes", "us", "taken: nodes", "us", "nodes, rejected over taken" });
+  for (const PaperResults& set : sets)
+  {
+    const AdjacentOption& rejected = set.Neighbors.Rejected;
+    const AdjacentOption& taken = set.Neighbors.Taken;
+    WriteRow(out,
+      { set.Set.Name, Format(rejected.Nodes), Format(1e6 * rejected.Seconds), Format(taken.Nodes),
+        Format(1e6 * taken.Seconds), Format(rejected.Nodes / taken.Nodes) });
+  }
+}
+
 void WriteGainsByDeviation(std::ostream& out, const std::vector<PaperResults>& sets)
 {
   out << "\n## Gain by deviation of depth\n\nThe sets from the least to the greatest standard "

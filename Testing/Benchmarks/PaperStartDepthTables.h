@@ -14,6 +14,7 @@ void WriteModels(std::ostream& out, const std::vector<PaperResults>& sets);
 void WriteFrequencies(std::ostream& out, const std::vector<PaperResults>& sets);
 /** Searches for neighbours (end of the paper's section 4, #41, #42). */
 void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& sets);
+void WriteRejectedOption(std::ostream& out, const std::vector<PaperResults>& sets);
 /** The sets by how much their depths vary, with the gain of the start depth (#56, E15). */
 void WriteGainsByDeviation(std::ostream& out, const std::vector<PaperResults>& sets);
 }

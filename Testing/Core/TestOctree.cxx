@@ -183,6 +183,8 @@ TEST(TestOctreeFacts, UniformGridHasOneDepth)
   EXPECT_EQ(made.Tree.GetDepthCounts().Leaves, expected);
   EXPECT_EQ(made.Tree.GetDepthCounts().Points, expected);
   EXPECT_EQ(made.Tree.GetNumberOfEmptyLeaves(), 0U);
+  EXPECT_EQ(GetMedianDepth(expected), 4);
+  EXPECT_EQ(GetMeanCost(expected, 4), 1.0) << "each leaf is hit at once";
 }
 
 TEST(TestOctreeFacts, RandomSphereOfThePapersTable1)
