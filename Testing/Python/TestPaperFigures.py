@@ -9,8 +9,10 @@ import octreetesting
 sys.path.insert(0, os.path.join(octreetesting.argument("-D"), "..", "Testing", "Benchmarks"))
 import draw_paper
 import matplotlib.pyplot as plt
+import paper_scenes
 from paper_charts import get_continuous_cost, get_minimisers
 
+paper_scenes.SIDE, paper_scenes.QUERIES_TRIED = 400, 60  # enough to see that something is drawn
 folder = octreetesting.argument("-T")
 rng = np.random.default_rng(2008)
 sphere = rng.standard_normal((900, 3))
