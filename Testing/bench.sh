@@ -7,8 +7,8 @@
 #   Testing/bench.sh python [POINTS [POSITIONS [REPETITIONS]]]   the locator from Python beside cKDTree
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            --help tells its own arguments
-#   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, in
-#                                            build/bench/paper.md; a quarter of an hour, --quick a minute
+#   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, its claims and figures,
+#                                            in build/bench/paper.md; a quarter of an hour, --quick a minute
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -29,15 +29,23 @@ make_terrain() {
     fail "$(grep '^make_terrain: ' "$log" || echo "no terrain; all that pvpython said is in $log")"
 }
 
+# This and the next draw also when some answers were wrong (1), but not when the arguments were (2).
 run_paper() {
-  local points="$root/build/data/points" output="$root/build/bench" quick=()
+  local points="$root/build/data/points" output="$root/build/bench" log="$root/build/bench/draw.log" quick=() status=0
+  [[ " $* " != *' --help '* ]] || exec "$program" --help
   [[ " $* " != *' --quick '* ]] || quick=(--quick)
-  [[ " $* " == *' --help '* ]] || python3 "$root/Data/make_point_sets.py" "$points" "${quick[@]}"
+  python3 "$root/Data/make_point_sets.py" "$points" "${quick[@]}"
   mkdir -p "$output"
-  exec "$program" --points "$points" --output "$output/paper.md" "$@"
+  "$program" --points "$points" --output "$output/paper.md" "$@" || status=$?
+  ((status <= 1)) || exit "$status"
+  PYTHONDONTWRITEBYTECODE=1 "$root/Plugin/with_display.sh" pvpython --dr "$root/Testing/Benchmarks/draw_paper.py" \
+    --plugin "$(echo "$root"/build/lib/paraview-*/plugins/HashedOctree/HashedOctree.so)" \
+    --points "$points" --output "$output" --markdown "$output/paper.md" >"$log" 2>&1 ||
+    fail "$(grep '^draw_paper: ' "$log" || echo "no pictures; all that pvpython said is in $log")"
+  echo "Tables and pictures are in $output/paper.md"
+  exit "$status"
 }
 
-# Draws also when some answers were wrong (1), but not when the arguments were (2).
 run_locator() {
   local output="$root/build/bench" status=0
   make_terrain

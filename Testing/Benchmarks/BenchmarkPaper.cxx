@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The experiments of the paper (section 5, Tables 1 to 3): trees with pointers, the paper's own
- * layout and ours, over the same points, in turns. Every structure's answers are checked.
+ * The experiments of the paper (section 5, Tables 1 to 3, claims): trees with pointers, the paper's
+ * own layout and ours, over the same points, in turns. Every structure's answers are checked.
  */
 #include "PaperMeasurement.h"
 #include "PaperReport.h"

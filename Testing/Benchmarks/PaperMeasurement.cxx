@@ -2,6 +2,9 @@
 #include "PaperMeasurement.h"
 
 #include "DepthDecisionTree.h"
+#include "PaperFrequencyCosts.h"
+#include "PaperKeys.h"
+#include "PaperNeighborStarts.h"
 #include "PaperWorkloads.h"
 #include "StartDepths.h"
 
@@ -203,6 +206,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   DescribeTree(trees.Ours, results);
   MeasureOptimisation(trees, repetitions, results);
   results.Costs = GetModelCosts(trees.Ours);
+  CountFrequencyCosts(trees.Ours, results);
 
   const Peers peers = MakePeers(trees, results.StartDepth);
   const std::vector<Key> leaves = SampleLeaves(trees.Ours);
@@ -214,6 +218,8 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   CheckAnswers(peers, points, radius, results);
   MeasureSearches(peers, points, radius, repetitions, results);
   MeasureWorkloads(trees, points, repetitions, results);
+  MeasureNeighborStarts(trees.Ours, leaves, radius, results);
+  MeasureKeys(trees.Ours, points, repetitions, results);
   return results;
 }
 }

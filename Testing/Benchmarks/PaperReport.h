@@ -8,7 +8,7 @@
 
 namespace paper_benchmark
 {
-/** Writes the paper's Tables 1 to 3 as Markdown, with what the paper says beside it. At least one
+/** Writes all that was measured as Markdown, with what the paper says beside it. At least one
  * set must have been measured. */
 void WriteReport(const std::vector<PaperResults>& sets, int repetitions, std::ostream& markdown);
 }

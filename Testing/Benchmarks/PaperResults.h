@@ -31,9 +31,68 @@ enum PaperSearchKind : std::size_t
   NumberOfKinds
 };
 
+/** The frequency models, in the order of the paper's Table 3. */
+constexpr std::size_t NumberOfModels = 3;
+constexpr std::array<hashedoctree::FrequencyModel, NumberOfModels> FrequencyModels{
+  hashedoctree::FrequencyModel::Points, hashedoctree::FrequencyModel::Leaves,
+  hashedoctree::FrequencyModel::Grid
+};
+
 /** For each way of searching (rows of the paper's Table 3: points, leaves, grid) the time of a
  * search from the start depth of each frequency model (its columns, in the same order). */
-using WorkloadTimes = std::array<std::array<Spread, 3>, 3>;
+using WorkloadTimes = std::array<std::array<Spread, NumberOfModels>, NumberOfModels>;
+
+/** Mean numbers of nodes that direct searches examine when leaves are searched for as often as a
+ * frequency model says. */
+struct FrequencyCosts
+{
+  int StartDepth = 0; ///< The weighted median depth of the model.
+  double Root = 0.0;
+  double Deepest = 0.0;                         ///< Bottom-up, from the deepest depth.
+  std::array<double, NumberOfModels> Medians{}; ///< From the start depth of each model.
+};
+
+/** How a hash spreads keys over a table of buckets. */
+struct HashProbes
+{
+  double Load;          ///< Share of the slots that are taken.
+  double First;         ///< Share of the keys that are in the first bucket looked at.
+  double Mean;          ///< Buckets looked at for a key.
+  std::size_t Greatest; ///< The most of them.
+};
+struct KeyCosts
+{
+  Spread Dilation;
+  Spread Pdep; ///< Zero where the machine cannot.
+  HashProbes LowBits{};
+  HashProbes Mixing{};
+};
+
+/** Nodes and seconds of an adjacent search. */
+struct AdjacentOption
+{
+  double Nodes = 0.0;
+  double Seconds = 0.0;
+};
+
+/** Mean numbers of nodes that searches for the neighbours of a leaf examine. */
+struct NeighborCosts
+{
+  double Root;
+  double Median; ///< From the median of all leaves, as the paper does (#42).
+  double Best;   ///< From the one depth that is best for all leaves.
+  int BestDepth; ///< That depth, the smallest of equals.
+  double Own;    ///< From the depth that is best for each leaf (#41).
+};
+struct NeighborStarts
+{
+  NeighborCosts Adjacent{};
+  NeighborCosts InRadius{};
+  std::size_t StoredBytes = 0; ///< Of NodeStartDepths, which has Own of the adjacent search.
+  double StoredSeconds = 0.0;  ///< What making them took.
+  AdjacentOption Rejected;     ///< The option that the paper rejects (#22), from the median.
+  AdjacentOption Taken;        ///< The other one, for the same leaves.
+};
 
 /** Mean numbers of nodes that a search examines when every leaf is searched for once. */
 struct ModelCosts
@@ -67,6 +126,9 @@ struct PaperResults
   WorkloadTimes PaperWorkloads;
   WorkloadTimes OurWorkloads;
   ModelCosts Costs{};
+  std::array<FrequencyCosts, NumberOfModels> Frequencies;
+  NeighborStarts Neighbors;
+  KeyCosts Keys;
   std::size_t CheckedAnswers = 0;
   std::size_t DifferentAnswers = 0;
 };

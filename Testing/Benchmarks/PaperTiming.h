@@ -17,6 +17,12 @@ struct Spread
   double Upper = 0.0;
 };
 
+/** One is slower than another when the middle halves of their repetitions lie apart. */
+inline bool IsSlower(const Spread& time, const Spread& other)
+{
+  return time.Lower > other.Upper;
+}
+
 /** How long a call takes. */
 template <typename Function>
 double GetSeconds(const Function& function)

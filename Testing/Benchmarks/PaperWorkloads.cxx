@@ -9,7 +9,6 @@ namespace paper_benchmark
 {
 namespace
 {
-using hashedoctree::FrequencyModel;
 using hashedoctree::Octree;
 
 std::vector<Key> MakePointKeys(const Octree<3>& tree, const std::vector<float>& points)
@@ -78,11 +77,9 @@ void MeasureWorkloads(
       : row == 1                           ? MakeLeafKeys(trees.Ours)
                                            : MakeGridKeys();
     std::vector<std::function<double()>> runs;
-    for (const FrequencyModel model :
-      { FrequencyModel::Points, FrequencyModel::Leaves, FrequencyModel::Grid })
+    for (const FrequencyCosts& model : results.Frequencies)
     {
-      const int startDepth = hashedoctree::GetMedianDepth(
-        hashedoctree::GetDepthHistogram(trees.Ours.GetDepthCounts(), model, 3));
+      const int startDepth = model.StartDepth;
       runs.emplace_back(
         [&trees, &keys, startDepth] {
           return TimeKeys(

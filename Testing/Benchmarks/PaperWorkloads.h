@@ -7,7 +7,8 @@
 namespace paper_benchmark
 {
 /** Measures the paper's Table 3: every point, every leaf and every cell of a regular grid searched
- * for, from the start depths of the three frequency models. Searches begin with keys. */
+ * for, from the start depths of the three frequency models, which the results have already.
+ * Searches begin with keys. */
 void MeasureWorkloads(const PaperTrees& trees, const std::vector<float>& points, int repetitions,
   PaperResults& results);
 }

@@ -183,6 +183,8 @@ TEST(TestOctreeFacts, UniformGridHasOneDepth)
   EXPECT_EQ(made.Tree.GetDepthCounts().Leaves, expected);
   EXPECT_EQ(made.Tree.GetDepthCounts().Points, expected);
   EXPECT_EQ(made.Tree.GetNumberOfEmptyLeaves(), 0U);
+  EXPECT_EQ(GetMedianDepth(expected), 4);
+  EXPECT_EQ(GetMeanCost(expected, 4), 1.0) << "each leaf is hit at once";
 }
 
 TEST(TestOctreeFacts, RandomSphereOfThePapersTable1)
@@ -195,6 +197,43 @@ TEST(TestOctreeFacts, RandomSphereOfThePapersTable1)
   EXPECT_GE(made.Tree.GetDeepestDepth(), 17);
   EXPECT_LE(made.Tree.GetDeepestDepth(), 19);
   EXPECT_EQ(GetMedianDepth(made.Tree.GetDepthCounts().Leaves), 9);
+}
+
+TEST(TestOctreeFacts, TreeOfTheDrawing)
+{
+  // Plugin/Documentation/keys.svg, the paper's Figs. 2 and 3: its points a to e, here e, c, a, d,
+  // b.
+  const PointSample<2, double> sample{ "drawing",
+    { 0.84, 0.66, 0.66, 0.45, 0.2, 0.38, 0.9, 0.45, 0.58, 0.18 } };
+  const PointSelection<2> selection(
+    sample.GetSpan(), Box<2>({ 0.0, 0.0 }, { 1.0, 1.0 }), Execution());
+  const Octree<2> tree(sample.GetSpan(), selection, {}, Execution());
+  EXPECT_EQ(std::vector<PointIndex>(tree.GetPointIds(), tree.GetPointIds() + 5),
+    (std::vector<PointIndex>{ 2, 4, 1, 3, 0 }));
+
+  ASSERT_EQ(tree.GetNumberOfInternalNodes(), 2U);
+  const Octree<2>::Block& root = tree.GetBlock(0);
+  EXPECT_EQ(tree.GetBlockKey(0).GetValue(), 0b1U);
+  EXPECT_EQ(root.Internal, 1U << 2); // Octant 0 is the lowest bit.
+  EXPECT_EQ(root.Occupied, 1U << 0 | 1U << 2 | 1U << 3);
+  EXPECT_EQ(root.FirstChild, 1U);
+  EXPECT_EQ(root.FirstPoint, (std::array<PointIndex, 5>{ 0, 1, 1, 4, 5 }));
+  const Octree<2>::Block& child = tree.GetBlock(1);
+  EXPECT_EQ(tree.GetBlockKey(1).GetValue(), 0b110U);
+  EXPECT_EQ(child.Internal, 0U);
+  EXPECT_EQ(child.Occupied, 1U << 0 | 1U << 1 | 1U << 3);
+  EXPECT_EQ(child.FirstPoint, (std::array<PointIndex, 5>{ 1, 2, 3, 3, 4 }));
+
+  for (std::uint32_t block = 0; block < 2; ++block)
+  {
+    const auto* entry = tree.GetTable().Find(tree.GetBlockKey(block).GetValue());
+    ASSERT_NE(entry, nullptr);
+    EXPECT_EQ(entry->Block, block);
+    EXPECT_EQ(entry->Internal, tree.GetBlock(block).Internal);
+    EXPECT_EQ(entry->Occupied, tree.GetBlock(block).Occupied);
+  }
+  EXPECT_EQ(tree.GetTable().Find(0b101U), nullptr);
+  EXPECT_EQ(tree.GetTable().Find(0b111U), nullptr);
 }
 
 TEST(TestOctreeFacts, GivenBoxIsTheRoot)

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PaperFormat.h"
+
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+
+namespace paper_benchmark
+{
+std::string Format(double number, int decimals)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", decimals, number);
+  return text;
+}
+
+std::string Format(double number)
+{
+  const double size = std::abs(number);
+  return Format(number, size < 9.995 ? 2 : size < 99.95 ? 1 : 0);
+}
+
+void WriteRow(std::ostream& out, const std::vector<std::string>& cells)
+{
+  out << "|";
+  for (const std::string& cell : cells)
+  {
+    out << " " << cell << " |";
+  }
+  out << "\n";
+}
+
+void WriteHead(std::ostream& out, const std::vector<std::string>& cells)
+{
+  WriteRow(out, cells);
+  WriteRow(out, std::vector<std::string>(cells.size(), "---"));
+}
+}

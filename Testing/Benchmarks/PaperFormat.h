@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Benchmarks_PaperFormat_h
+#define Testing_Benchmarks_PaperFormat_h
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace paper_benchmark
+{
+std::string Format(double number, int decimals);
+/** Three digits or more. */
+std::string Format(double number);
+
+/** Rows of a table in Markdown. */
+void WriteRow(std::ostream& out, const std::vector<std::string>& cells);
+void WriteHead(std::ostream& out, const std::vector<std::string>& cells);
+}
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PaperNeighborStarts.h"
+
+#include "AdjacentSearch.h"
+#include "AdjacentSearchAtStartDepth.h"
+#include "InRadiusSearch.h"
+#include "NodeStartDepths.h"
+
+#include <algorithm>
+
+namespace paper_benchmark
+{
+namespace
+{
+using hashedoctree::NodeCount;
+using hashedoctree::Octree;
+
+/** For each leaf the nodes that a search for its neighbours examines from each depth of the tree:
+ * count(leaf, startDepth). */
+template <typename CountNodes>
+std::vector<std::vector<std::uint64_t>> ScanStartDepths(
+  const std::vector<Key>& leaves, int deepest, const CountNodes& count)
+{
+  std::vector<std::vector<std::uint64_t>> nodes;
+  for (const Key leaf : leaves)
+  {
+    nodes.emplace_back();
+    for (int startDepth = 0; startDepth <= deepest; ++startDepth)
+    {
+      nodes.back().push_back(count(leaf, startDepth));
+    }
+  }
+  return nodes;
+}
+
+NeighborCosts GetCosts(const std::vector<std::vector<std::uint64_t>>& nodes, int median)
+{
+  std::vector<std::uint64_t> sums(nodes.front().size(), 0);
+  std::uint64_t own = 0;
+  for (const std::vector<std::uint64_t>& ofLeaf : nodes)
+  {
+    std::transform(ofLeaf.begin(), ofLeaf.end(), sums.begin(), sums.begin(), std::plus<>());
+    own += *std::min_element(ofLeaf.begin(), ofLeaf.end());
+  }
+  const auto best = std::min_element(sums.begin(), sums.end());
+  const auto getMean = [&nodes](std::uint64_t sum)
+  { return static_cast<double>(sum) / static_cast<double>(nodes.size()); };
+  return { getMean(sums.front()), getMean(sums[static_cast<std::size_t>(median)]), getMean(*best),
+    static_cast<int>(best - sums.begin()), getMean(own) };
+}
+
+/** Both options of the adjacent search (the paper's section 3b) from the median, once. */
+void CompareOptions(const Octree<3>& tree, const std::vector<Key>& leaves, PaperResults& results)
+{
+  const auto measure = [&leaves](NodeCount& count, const auto& search)
+  {
+    const double seconds = GetSeconds(
+      [&]
+      {
+        for (const Key leaf : leaves)
+        {
+          search(leaf);
+        }
+      });
+    const auto number = static_cast<double>(leaves.size());
+    return AdjacentOption{ static_cast<double>(count.Nodes) / number, seconds / number };
+  };
+  std::vector<hashedoctree::Neighbor<3>> found;
+  NodeCount rejectedCount;
+  AdjacentSearchAtStartDepth<3, NodeCount> rejected(tree, rejectedCount);
+  results.Neighbors.Rejected =
+    measure(rejectedCount, [&](Key leaf) { rejected.Find(leaf, results.StartDepth, found); });
+  NodeCount takenCount;
+  results.Neighbors.Taken = measure(takenCount,
+    [&](Key leaf) { FindAdjacentLeaves(tree, leaf, results.StartDepth, found, takenCount); });
+}
+}
+
+void MeasureNeighborStarts(
+  const Octree<3>& tree, const std::vector<Key>& leaves, double radius, PaperResults& results)
+{
+  const std::vector<Key> scanned(
+    leaves.begin(), leaves.begin() + std::min(leaves.size(), MaxScannedLeaves));
+  std::vector<hashedoctree::Neighbor<3>> found;
+  const auto countAdjacent = [&](Key leaf, int startDepth)
+  {
+    NodeCount count;
+    FindAdjacentLeaves(tree, leaf, startDepth, found, count);
+    return count.Nodes;
+  };
+  const auto countInRadius = [&](Key leaf, int startDepth)
+  {
+    NodeCount count;
+    FindLeavesInRadius(tree, leaf, radius, startDepth, found, count);
+    return count.Nodes;
+  };
+  const int deepest = tree.GetDeepestDepth();
+  const auto adjacent = ScanStartDepths(scanned, deepest, countAdjacent);
+  const auto inRadius = ScanStartDepths(scanned, deepest, countInRadius);
+
+  NeighborStarts& starts = results.Neighbors;
+  starts.Adjacent = GetCosts(adjacent, results.StartDepth);
+  starts.InRadius = GetCosts(inRadius, results.StartDepth);
+  hashedoctree::NodeStartDepths<3> stored;
+  starts.StoredSeconds =
+    GetSeconds([&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });
+  starts.StoredBytes = stored.GetBytes();
+  for (std::size_t i = 0; i < scanned.size(); ++i)
+  {
+    const auto* parent = tree.GetTable().Find(scanned[i].GetParent().GetValue());
+    const int startDepth = stored.Get(parent->Block, scanned[i].GetOctant());
+    const std::uint64_t fewest = *std::min_element(adjacent[i].begin(), adjacent[i].end());
+    ++results.CheckedAnswers;
+    results.DifferentAnswers += countAdjacent(scanned[i], startDepth) == fewest ? 0 : 1;
+  }
+  CompareOptions(tree,
+    { scanned.begin(), scanned.begin() + std::min(scanned.size(), MaxRejectedLeaves) }, results);
+}
+}
