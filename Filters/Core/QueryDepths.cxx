@@ -2,14 +2,15 @@
 #include "QueryDepths.h"
 
 #include "DirectSearch.h"
+#include "PlaneSpan.h"
 
 #include <algorithm>
 
 namespace hashedoctree
 {
-template <int Dim, typename Real>
+template <int Dim, typename Points>
 DepthHistogram MeasureQueryDepths(
-  const Octree<Dim>& tree, PointSpan<Dim, Real> queries, const Execution& execution)
+  const Octree<Dim>& tree, Points queries, const Execution& execution)
 {
   constexpr std::size_t chunkSize = 4096; // Positions that a thread does at a time.
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
@@ -24,8 +25,7 @@ DepthHistogram MeasureQueryDepths(
         const std::size_t last = std::min(queries.Count, (chunk + 1) * chunkSize);
         for (std::size_t i = chunk * chunkSize; i < last; ++i)
         {
-          Position<Dim> x;
-          std::copy(queries[i], queries[i] + Dim, x.begin());
+          const Position<Dim> x = GetPosition<Dim>(queries, i);
           if (IsFinite(x))
           {
             const auto leaf = FindLeaf(tree, tree.GetGrid().GetKey(x.data()), startDepth);
@@ -57,4 +57,6 @@ HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
+template DepthHistogram MeasureQueryDepths(const Octree<2>&, PlaneSpan<float>, const Execution&);
+template DepthHistogram MeasureQueryDepths(const Octree<2>&, PlaneSpan<double>, const Execution&);
 }
