@@ -445,3 +445,27 @@ TEST(TestHashedOctreeFilterQuadtrees, TablesAreThoseOfFourChildren)
   EXPECT_NEAR(filter.GetFieldValue("MeanRootCost"), gridCosts->GetTuple1(0), 1e-12);
   EXPECT_NE(filter.GetFieldValue("StartDepthLeaves"), cheapest) << "so that the models differ";
 }
+
+TEST(TestHashedOctreeFilterQuadtrees, StartDepthsWeighLeavesByTheirArea)
+{
+  // A point in each cell of depth 3, but for one quadrant, which is a leaf: a quarter of the area.
+  // Weighed as cubes, it would be more than half.
+  std::vector<double> planar;
+  for (int x = 0; x < 8; ++x)
+  {
+    for (int y = 0; y < 8; ++y)
+    {
+      if (x < 4 || y < 4 || (x == 7 && y == 7))
+      {
+        planar.insert(planar.end(), { x / 7.0, y / 7.0 });
+      }
+    }
+  }
+  TestedFilter filter(PutInSpace(planar, AllPlanes[0], Across));
+  filter->SetFrequencyModel(Filter::Grid);
+  filter.Update();
+  EXPECT_EQ(filter.GetFieldValue("NumberOfLeaves"), 49);
+  EXPECT_EQ(filter.GetFieldValue("StartDepth"), 3);
+  EXPECT_EQ(filter.GetFieldValue("StartDepthGrid"), 3);
+  EXPECT_NEAR(filter.GetFieldValue("MeanHitCost"), 0.75 * 1 + 0.25 * 3, 1e-12);
+}
