@@ -6,19 +6,26 @@
 
 #include "vtkHashedOctreeAlgorithm.h"
 
+#include <algorithm>
+
 namespace hashedoctree
 {
 // The properties of an algorithm as the core has them. Private to the module.
 
-inline Octree<3>::Options GetTreeOptions(vtkHashedOctreeAlgorithm* algorithm)
+/** Depths beyond the deepest of the dimension act as that one. */
+template <int Dim>
+typename Octree<Dim>::Options GetTreeOptions(vtkHashedOctreeAlgorithm* algorithm)
 {
-  return { static_cast<std::size_t>(algorithm->GetMaxPointsPerLeaf()), algorithm->GetMaxDepth() };
+  return { static_cast<std::size_t>(algorithm->GetMaxPointsPerLeaf()),
+    std::min(algorithm->GetMaxDepth(), MortonKey<Dim>::MaxDepth) };
 }
 
-inline StartDepthOptions GetStartDepthOptions(vtkHashedOctreeAlgorithm* algorithm)
+template <int Dim>
+StartDepthOptions GetStartDepthOptions(vtkHashedOctreeAlgorithm* algorithm)
 {
   return { static_cast<StartDepthModel>(algorithm->GetStartDepthModel()),
-    static_cast<FrequencyModel>(algorithm->GetFrequencyModel()), algorithm->GetFixedStartDepth() };
+    static_cast<FrequencyModel>(algorithm->GetFrequencyModel()),
+    std::min(algorithm->GetFixedStartDepth(), MortonKey<Dim>::MaxDepth) };
 }
 
 /** How the empty octants of the tree are read. */
@@ -27,10 +34,11 @@ inline EmptyOctants GetReading(vtkHashedOctreeAlgorithm* algorithm)
   return algorithm->GetIncludeEmptyLeaves() ? EmptyOctants::Leaves : EmptyOctants::Missing;
 }
 
-/** Where searches in a tree with these counts start. */
-inline int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options)
+/** Where searches in a tree start. */
+template <int Dim>
+int GetStartDepth(const Octree<Dim>& tree, const StartDepthOptions& options)
 {
-  return GetStartDepth(GetDepthHistogram(counts, options.Frequency, 3), options);
+  return GetStartDepth(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim), options);
 }
 }
 

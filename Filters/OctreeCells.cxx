@@ -60,22 +60,17 @@ void ForEach(std::size_t count, const Execution& execution, const Function& func
     });
 }
 
-vtkNew<vtkPoints> MakePoints(
-  const Grid<3>& grid, const NodeCorners<3>& corners, const Execution& execution)
+template <int Dim>
+vtkNew<vtkPoints> MakePoints(const Grid<Dim>& grid, const TreeFrame<Dim>& frame,
+  const NodeCorners<Dim>& corners, const Execution& execution)
 {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
   Resize(coordinates.Get(), 3 * corners.GetNumberOfCorners());
   double* x = coordinates->GetPointer(0);
   ForEach(corners.GetNumberOfCorners(), execution,
-    [&grid, &corners, x](std::size_t i)
-    {
-      const Cell<3> corner = corners.GetCorner(i);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        x[3 * i + axis] = grid.GetCorner(corner[axis], static_cast<int>(axis));
-      }
-    });
+    [&grid, &frame, &corners, x](std::size_t i)
+    { frame.GetCorner(grid, corners.GetCorner(i), x + 3 * i); });
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   return points;
@@ -97,64 +92,85 @@ void SetCells(vtkCellArray* cells, std::size_t numberOfCells, std::size_t size,
   cells->SetData(offsets, connectivity);
 }
 
-/** A walk along the twelve edges of a voxel; three of them are walked twice, since a box cannot be
- * drawn in one stroke. */
-constexpr std::array<unsigned, 16> OutlinePath{ 0, 1, 3, 2, 0, 4, 5, 1, 5, 7, 3, 7, 6, 2, 6, 4 };
+/** What VTK calls a node, and a walk along all its edges. */
+template <int Dim>
+struct CellShape;
+template <>
+struct CellShape<2>
+{
+  static constexpr unsigned char Type = VTK_PIXEL;
+  static constexpr std::array<unsigned, 5> Outline{ 0, 1, 3, 2, 0 };
+};
+template <>
+struct CellShape<3>
+{
+  static constexpr unsigned char Type = VTK_VOXEL;
+  /** Three of the twelve edges twice, since a box cannot be drawn in one stroke. */
+  static constexpr std::array<unsigned, 16> Outline{ 0, 1, 3, 2, 0, 4, 5, 1, 5, 7, 3, 7, 6, 2, 6,
+    4 };
+};
 }
 
-void OctreeCells::MakeVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
+template <int Dim>
+void OctreeCells<Dim>::MakeVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
 {
   this->Listed.GetSize() <= MaxNodesWithShortIds
-    ? this->FillVoxels<vtkTypeInt32Array>(output, execution)
-    : this->FillVoxels<vtkTypeInt64Array>(output, execution);
+    ? this->template FillVoxels<vtkTypeInt32Array>(output, execution)
+    : this->template FillVoxels<vtkTypeInt64Array>(output, execution);
 }
 
-void OctreeCells::MakeOutlines(vtkPolyData* output, const Execution& execution) const
+template <int Dim>
+void OctreeCells<Dim>::MakeOutlines(vtkPolyData* output, const Execution& execution) const
 {
   this->Listed.GetSize() <= MaxNodesWithShortIds
-    ? this->FillOutlines<vtkTypeInt32Array>(output, execution)
-    : this->FillOutlines<vtkTypeInt64Array>(output, execution);
+    ? this->template FillOutlines<vtkTypeInt32Array>(output, execution)
+    : this->template FillOutlines<vtkTypeInt64Array>(output, execution);
 }
 
+template <int Dim>
 template <typename IdArray>
-void OctreeCells::FillVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
+void OctreeCells<Dim>::FillVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
 {
   const Nodes& nodes = this->Listed;
-  constexpr std::size_t size = NodeCorners<3>::CornersOfNode;
+  constexpr std::size_t size = NodeCorners<Dim>::CornersOfNode;
   this->AddArrays(output, execution.Part(0.0, 0.2));
   vtkNew<IdArray> connectivity;
   Resize(connectivity.Get(), nodes.GetSize() * size);
-  const NodeCorners<3> corners(nodes, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
-  output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.8, 0.9)));
+  const NodeCorners<Dim> corners(nodes, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
+  output->SetPoints(
+    MakePoints(this->Tree.GetGrid(), this->Frame, corners, execution.Part(0.8, 0.9)));
   vtkNew<vtkCellArray> cells;
   SetCells(cells.Get(), nodes.GetSize(), size, connectivity.Get(), execution.Part(0.9, 0.95));
-  // Not SetCells(VTK_VOXEL, cells), which fills the types without heeding an abort.
+  // Not SetCells(type, cells), which fills the types without heeding an abort.
   vtkNew<vtkUnsignedCharArray> types;
   Resize(types.Get(), nodes.GetSize());
   ForEach(nodes.GetSize(), execution.Part(0.95, 1.0),
-    [&types](std::size_t i) { types->SetValue(static_cast<vtkIdType>(i), VTK_VOXEL); });
+    [&types](std::size_t i) { types->SetValue(static_cast<vtkIdType>(i), CellShape<Dim>::Type); });
   output->SetCells(types, cells);
 }
 
+template <int Dim>
 template <typename IdArray>
-void OctreeCells::FillOutlines(vtkPolyData* output, const Execution& execution) const
+void OctreeCells<Dim>::FillOutlines(vtkPolyData* output, const Execution& execution) const
 {
   const Nodes& nodes = this->Listed;
   using Id = typename IdArray::ValueType;
-  constexpr std::size_t size = OutlinePath.size();
+  constexpr auto outline = CellShape<Dim>::Outline;
+  constexpr std::size_t size = outline.size();
   this->AddArrays(output, execution.Part(0.0, 0.2));
-  Buffer<Id> voxels(nodes.GetSize() * NodeCorners<3>::CornersOfNode);
-  const NodeCorners<3> corners(nodes, voxels.GetData(), execution.Part(0.2, 0.7));
-  output->SetPoints(MakePoints(this->Tree.GetGrid(), corners, execution.Part(0.7, 0.8)));
+  Buffer<Id> voxels(nodes.GetSize() * NodeCorners<Dim>::CornersOfNode);
+  const NodeCorners<Dim> corners(nodes, voxels.GetData(), execution.Part(0.2, 0.7));
+  output->SetPoints(
+    MakePoints(this->Tree.GetGrid(), this->Frame, corners, execution.Part(0.7, 0.8)));
   vtkNew<IdArray> connectivity;
   Resize(connectivity.Get(), nodes.GetSize() * size);
   Id* path = connectivity->GetPointer(0);
   ForEach(nodes.GetSize(), execution.Part(0.8, 0.9),
-    [&voxels, path](std::size_t node)
+    [&voxels, outline, path](std::size_t node)
     {
       for (std::size_t i = 0; i < size; ++i)
       {
-        path[node * size + i] = voxels[node * NodeCorners<3>::CornersOfNode + OutlinePath[i]];
+        path[node * size + i] = voxels[node * NodeCorners<Dim>::CornersOfNode + outline[i]];
       }
     });
   vtkNew<vtkCellArray> lines;
@@ -162,8 +178,9 @@ void OctreeCells::FillOutlines(vtkPolyData* output, const Execution& execution) 
   output->SetLines(lines);
 }
 
+template <int Dim>
 template <typename DataSet>
-void OctreeCells::AddArrays(DataSet* output, const Execution& execution) const
+void OctreeCells<Dim>::AddArrays(DataSet* output, const Execution& execution) const
 {
   const Nodes& nodes = this->Listed;
   const std::size_t size = nodes.GetSize();
@@ -175,8 +192,8 @@ void OctreeCells::AddArrays(DataSet* output, const Execution& execution) const
   ForEach(size, execution,
     [&](std::size_t i)
     {
-      const Octree<3>::Node& node = nodes[i];
-      const MortonKey<3> key = node.NodeKey.GetFirstAtMaxDepth();
+      const typename Octree<Dim>::Node& node = nodes[i];
+      const MortonKey<Dim> key = node.NodeKey.GetFirstAtMaxDepth();
       const auto cost = [&](int startDepth) {
         return node.Internal ? 0
                              : static_cast<int>(CountExaminedNodes(this->Tree, key, startDepth));
@@ -196,4 +213,7 @@ void OctreeCells::AddArrays(DataSet* output, const Execution& execution) const
   cellData->AddArray(keys);
   cellData->SetActiveScalars("Depth");
 }
+
+template class OctreeCells<2>;
+template class OctreeCells<3>;
 }

@@ -3,6 +3,7 @@
 #define OctreeCells_h
 
 #include "Octree.h"
+#include "TreeFrame.h"
 
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -10,27 +11,31 @@ class vtkUnstructuredGrid;
 namespace hashedoctree
 {
 /**
- * Nodes of an octree as VTK cells, one cell each in the order of the list, with shared corners in
- * double precision and the cell arrays Depth (active), HitCost, RootCost, PointCount and MortonKey.
- * HitCost and RootCost are the nodes that a counted search for the leaf examines from `startDepth`
- * and from the root; 0 on internal nodes, which no search ends at. The tree and the list must
- * outlive it. Both outputs throw Interrupted, and must then be emptied. Private to the module.
+ * Nodes of an octree or quadtree as VTK cells, one cell each in the order of the list, with shared
+ * corners in double precision and the cell arrays Depth (active), HitCost, RootCost, PointCount and
+ * MortonKey. HitCost and RootCost are the nodes that a counted search for the leaf examines from
+ * `startDepth` and from the root; 0 on internal nodes, which no search ends at. The tree and the
+ * list must outlive it. Both outputs throw Interrupted, and must then be emptied. Instantiated for
+ * 2 and 3 dimensions. Private to the module.
  */
+template <int Dim>
 class OctreeCells
 {
 public:
-  using Nodes = Buffer<Octree<3>::Node>;
+  using Nodes = Buffer<typename Octree<Dim>::Node>;
 
-  OctreeCells(const Octree<3>& tree, int startDepth, const Nodes& nodes)
+  OctreeCells(const Octree<Dim>& tree, int startDepth, const Nodes& nodes,
+    const TreeFrame<Dim>& frame = TreeFrame<Dim>())
     : Tree(tree)
     , StartDepth(startDepth)
     , Listed(nodes)
+    , Frame(frame)
   {
   }
 
-  /** One VTK_VOXEL for each node. */
+  /** One VTK_VOXEL for each node of an octree, one VTK_PIXEL of a quadtree. */
   void MakeVoxels(vtkUnstructuredGrid* output, const Execution& execution) const;
-  /** One VTK_POLY_LINE of 16 points for each node, along all edges of its box. */
+  /** One VTK_POLY_LINE for each node, along all edges of its box (16 points) or square (5). */
   void MakeOutlines(vtkPolyData* output, const Execution& execution) const;
 
 private:
@@ -41,9 +46,10 @@ private:
   template <typename DataSet>
   void AddArrays(DataSet* output, const Execution& execution) const;
 
-  const Octree<3>& Tree;
+  const Octree<Dim>& Tree;
   int StartDepth;
   const Nodes& Listed;
+  TreeFrame<Dim> Frame;
 };
 }
 

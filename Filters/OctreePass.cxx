@@ -4,6 +4,7 @@
 #include "AlgorithmExecution.h"
 #include "AlgorithmOptions.h"
 #include "PointsAdaptor.h"
+#include "QuadtreeFrame.h"
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -22,6 +23,18 @@ namespace
 /** Shares of the progress of one point set: where each step ends. */
 constexpr double AdaptorShare = 0.02;
 constexpr double SelectionShare = 0.05;
+
+/** The tree of the selected points in a frame. */
+template <int Dim, typename Real>
+PointsOctree<Dim> BuildInFrame(const TreeFrame<Dim>& frame, PointSpan<3, Real> points,
+  const PointSelection<3>& selection, vtkHashedOctreeAlgorithm* algorithm,
+  const Execution& execution)
+{
+  return { Octree<Dim>(Project(points, frame, selection.GetBox()),
+             PointSelection<Dim>(selection, frame.GetAxes()), GetTreeOptions<Dim>(algorithm),
+             execution),
+    frame, selection.GetNumberOfSkippedPoints(), selection.GetNumberOfOutsidePoints() };
+}
 }
 
 OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>> root)
@@ -30,7 +43,7 @@ OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>
 {
 }
 
-void OctreePass::Execute(
+void OctreePass::ExecuteAny(
   vtkDataObject* input, vtkInformationVector* outputVector, const MakeOutputs& makeOutputs)
 {
   const Execution execution = MakeExecution(this->Algorithm);
@@ -94,31 +107,39 @@ OctreePass::Outputs OctreePass::Process(
   {
     return {};
   }
-  const PointsOctree octree = this->Build(input, execution);
-  this->AllPoints += input->GetNumberOfPoints();
-  this->SkippedPoints += octree.SkippedPoints;
-  this->UsedPoints += octree.Tree.GetNumberOfPoints();
-  return octree.Tree.GetNumberOfPoints() == 0 ? Outputs{} : makeOutputs(octree, execution);
+  const std::optional<AnyPointsOctree> octree = this->Build(input, execution);
+  return octree ? makeOutputs(*octree, execution) : Outputs{};
 }
 
-PointsOctree OctreePass::Build(vtkPointSet* input, const Execution& execution) const
+std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execution& execution)
 {
   const auto start = std::chrono::steady_clock::now();
   const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
-  const Octree<3>::Options options = GetTreeOptions(this->Algorithm);
-  PointsOctree octree;
+  std::optional<AnyPointsOctree> built;
   points.Visit(
     [&](auto span)
     {
       const PointSelection<3> selection(
         span, this->Root, execution.Part(AdaptorShare, SelectionShare));
-      octree.Tree = Octree<3>(span, selection, options, execution.Part(SelectionShare, BuildShare));
-      octree.SkippedPoints = selection.GetNumberOfSkippedPoints();
-      octree.OutsidePoints = selection.GetNumberOfOutsidePoints();
+      this->AllPoints += input->GetNumberOfPoints();
+      this->SkippedPoints += selection.GetNumberOfSkippedPoints();
+      this->UsedPoints += selection.GetNumberOfPoints();
+      if (selection.GetNumberOfPoints() == 0)
+      {
+        return;
+      }
+      const auto build = [&](const auto& frame)
+      {
+        auto octree = BuildInFrame(
+          frame, span, selection, this->Algorithm, execution.Part(SelectionShare, BuildShare));
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        octree.BuildSeconds = elapsed.count();
+        built = std::move(octree);
+      };
+      const auto plane = FindQuadtreeFrame(this->Algorithm, selection.GetBox());
+      plane ? build(*plane) : build(TreeFrame<3>());
     });
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  octree.BuildSeconds = elapsed.count();
-  return octree;
+  return built;
 }
 
 bool OctreePass::IsPiece(vtkInformationVector* outputVector)

@@ -2,7 +2,7 @@
 #ifndef OctreePass_h
 #define OctreePass_h
 
-#include "Octree.h"
+#include "PointsOctree.h"
 
 #include "vtkSmartPointer.h"
 
@@ -18,48 +18,49 @@ class vtkPointSet;
 
 namespace hashedoctree
 {
-/** The octree over the points of one data set, and what became of the points that are not in it. */
-struct PointsOctree
-{
-  Octree<3> Tree;
-  std::size_t SkippedPoints = 0; ///< Not finite.
-  std::size_t OutsidePoints = 0; ///< Outside the given root.
-  double BuildSeconds = 0.0;
-};
-
 /**
  * One pass of an algorithm over the point sets of its input: the input itself or, of a composite
- * one, each of its blocks. Builds the octree of each and fills the output ports with what a
- * function makes of it. Blocks without a point to use, and those of another kind, stay empty.
- * Private to the module.
+ * one, each of its blocks. Builds the octree or quadtree of each and fills the output ports with
+ * what a function makes of it. Blocks without a point to use, and those of another kind, stay
+ * empty. Private to the module.
  */
 class OctreePass
 {
 public:
   /** What stands at each port; empty where there is nothing. */
   using Outputs = std::vector<vtkSmartPointer<vtkDataObject>>;
-  /** Is given the progress of one point set, of which BuildShare is done. */
-  using MakeOutputs = std::function<Outputs(const PointsOctree&, const Execution&)>;
-
   static constexpr double BuildShare = 0.3;
 
   /** `root`, where given, takes the place of the points' own bounds. */
   explicit OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>> root = {});
 
-  /** Warns once of points that are not finite. Throws Interrupted, and std::exception with what to
-   * tell the user, also when there is no point to use in all of the input, unless that is one of
-   * several pieces. */
+  /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
+   * progress of one point set, of which BuildShare is done. Warns once of points that are not
+   * finite. Throws Interrupted, and std::exception with what to tell the user, also when there is
+   * no point to use in all of the input, unless that is one of several pieces. */
+  template <typename Function>
   void Execute(
-    vtkDataObject* input, vtkInformationVector* outputVector, const MakeOutputs& makeOutputs);
+    vtkDataObject* input, vtkInformationVector* outputVector, const Function& makeOutputs)
+  {
+    this->ExecuteAny(input, outputVector,
+      [&makeOutputs](const AnyPointsOctree& any, const Execution& execution) {
+        return std::visit([&](const auto& octree) { return makeOutputs(octree, execution); }, any);
+      });
+  }
 
   /** Whether other processes, or other updates, have the rest of a distributed data set. */
   static bool IsPiece(vtkInformationVector* outputVector);
 
 private:
+  using MakeOutputs = std::function<Outputs(const AnyPointsOctree&, const Execution&)>;
+
+  void ExecuteAny(
+    vtkDataObject* input, vtkInformationVector* outputVector, const MakeOutputs& makeOutputs);
   void ProcessBlocks(vtkDataObjectTree* input, vtkInformationVector* outputVector,
     const MakeOutputs& makeOutputs, const Execution& execution);
   Outputs Process(vtkPointSet* input, const MakeOutputs& makeOutputs, const Execution& execution);
-  PointsOctree Build(vtkPointSet* input, const Execution& execution) const;
+  /** Nothing where there is no point to use. */
+  std::optional<AnyPointsOctree> Build(vtkPointSet* input, const Execution& execution);
   [[noreturn]] void RefuseInput() const;
 
   vtkHashedOctreeAlgorithm* Algorithm;

@@ -30,10 +30,10 @@ void AddColumn(vtkTable* table, const char* name, std::size_t rows, const Functi
 }
 }
 
-void FillDepthHistogram(vtkTable* table, const DepthCounts& counts)
+void FillDepthHistogram(vtkTable* table, const DepthCounts& counts, int dimension)
 {
   const std::size_t rows = counts.Leaves.size();
-  const DepthHistogram grid = GetDepthHistogram(counts, FrequencyModel::Grid, 3);
+  const DepthHistogram grid = GetDepthHistogram(counts, FrequencyModel::Grid, dimension);
   AddColumn<vtkIntArray>(table, "Depth", rows, [](std::size_t depth) { return depth; });
   AddColumn<vtkIdTypeArray>(
     table, "Leaves", rows, [&](std::size_t depth) { return counts.Leaves[depth]; });
@@ -45,12 +45,13 @@ void FillDepthHistogram(vtkTable* table, const DepthCounts& counts)
     table, "GridWeight", rows, [&](std::size_t depth) { return grid[depth]; });
 }
 
-void FillCostCurves(vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured)
+void FillCostCurves(
+  vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured, int dimension)
 {
   const std::size_t rows = counts.Leaves.size();
   const auto addModel = [&](const char* name, FrequencyModel model)
   {
-    const DepthHistogram histogram = GetDepthHistogram(counts, model, 3);
+    const DepthHistogram histogram = GetDepthHistogram(counts, model, dimension);
     AddColumn<vtkDoubleArray>(table, name, rows,
       [&](std::size_t depth) { return GetMeanCost(histogram, static_cast<int>(depth)); });
   };

@@ -12,15 +12,16 @@ class vtkTable;
 namespace hashedoctree
 {
 /** Fills the columns Depth, Leaves, EmptyLeaves, Points (integers) and GridWeight (double; the
- * leaves' volume in cells of the deepest depth), one row for each depth from 0 to the deepest.
- * Private to the module. */
-void FillDepthHistogram(vtkTable* table, const DepthCounts& counts);
+ * leaves' volume in cells of the deepest depth), one row for each depth from 0 to the deepest of a
+ * tree in `dimension` dimensions. Private to the module. */
+void FillDepthHistogram(vtkTable* table, const DepthCounts& counts, int dimension);
 
 /** Fills the columns StartDepth, CostLeaves, CostPoints, CostGrid (modelled), MeasuredLeaves,
  * MeasuredPoints (counted) and ContinuousLeaves (the differentiable cost at StartDepth + 1/2, paper
- * E8): mean nodes examined by one search, one row for each start depth from 0 to the deepest.
- * Private to the module. */
-void FillCostCurves(vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured);
+ * E8): mean nodes examined by one search, one row for each start depth from 0 to the deepest of a
+ * tree in `dimension` dimensions. Private to the module. */
+void FillCostCurves(
+  vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured, int dimension);
 
 /** What one way to search costs: mean nodes that a search examines. */
 struct SearchRow

@@ -19,8 +19,6 @@ namespace hashedoctree
 {
 namespace
 {
-using Comparison = SearchComparison<3>;
-
 /** Adds an array to the data set, which then owns it. */
 template <typename Array>
 Array* AddPointArray(vtkDataSet* dataSet, const char* name)
@@ -32,17 +30,23 @@ Array* AddPointArray(vtkDataSet* dataSet, const char* name)
   return array;
 }
 
-void Add(Comparison::Costs& sums, const Comparison::Costs& costs)
+/** `sums` and `costs` have a number for each search. */
+template <typename Costs>
+void Add(Costs& sums, const Costs& costs)
 {
   std::transform(sums.begin(), sums.end(), costs.begin(), sums.begin(), std::plus<>());
 }
 
 /** The search for one query, and where its results go. */
+template <int Dim>
 class QuerySearch
 {
 public:
+  using Comparison = SearchComparison<Dim>;
+  using Costs = typename Comparison::Costs;
+
   QuerySearch(
-    vtkDataSet* queries, const Octree<3>& tree, EmptyOctants reading, const Comparison& searches)
+    vtkDataSet* queries, const Octree<Dim>& tree, EmptyOctants reading, const Comparison& searches)
     : Tree(tree)
     , Reading(reading)
     , Searches(searches)
@@ -56,20 +60,20 @@ public:
            std::pair(Comparison::Mean, "MeanCost"), std::pair(Comparison::Local, "LocalCost"),
            std::pair(Comparison::DecisionTree, "DecisionTreeCost") })
     {
-      this->Costs.emplace_back(search, AddPointArray<vtkIntArray>(queries, name));
+      this->CostArrays.emplace_back(search, AddPointArray<vtkIntArray>(queries, name));
     }
     queries->GetPointData()->SetActiveScalars("HitCost");
   }
 
   /** Fills the arrays for a query at x, and returns what its searches cost. */
-  Comparison::Costs Search(vtkIdType query, const Position<3>& x) const
+  Costs Search(vtkIdType query, const Position<Dim>& x) const
   {
     if (!IsFinite(x))
     {
-      return this->Set(query, -1, -1, MortonKey<3>(0), Comparison::Costs{});
+      return this->Set(query, -1, -1, MortonKey<Dim>(0), Costs{});
     }
-    const MortonKey<3> key = this->Tree.GetGrid().GetKey(x.data());
-    const FoundLeaf<3> leaf =
+    const MortonKey<Dim> key = this->Tree.GetGrid().GetKey(x.data());
+    const FoundLeaf<Dim> leaf =
       FindLeaf(this->Tree, key, this->Searches.GetStartDepth(Comparison::Chosen), this->Reading);
     const vtkIdType id =
       leaf.Exists ? static_cast<vtkIdType>(this->Numbers.Get(this->Tree, leaf)) : -1;
@@ -78,57 +82,66 @@ public:
   }
 
 private:
-  Comparison::Costs Set(vtkIdType query, vtkIdType leafId, int depth, MortonKey<3> key,
-    const Comparison::Costs& costs) const
+  Costs Set(
+    vtkIdType query, vtkIdType leafId, int depth, MortonKey<Dim> key, const Costs& costs) const
   {
     this->Ids->SetValue(query, leafId);
     this->Depths->SetValue(query, depth);
     this->Keys->SetValue(query, key.GetValue());
-    for (const auto& [search, array] : this->Costs)
+    for (const auto& [search, array] : this->CostArrays)
     {
       array->SetValue(query, static_cast<int>(costs[search]));
     }
     return costs;
   }
 
-  const Octree<3>& Tree;
+  const Octree<Dim>& Tree;
   EmptyOctants Reading;
   const Comparison& Searches;
-  LeafNumbers<3> Numbers;
+  LeafNumbers<Dim> Numbers;
   vtkIdTypeArray* Ids;
   vtkIntArray* Depths;
   vtkTypeUInt64Array* Keys;
-  std::vector<std::pair<Comparison::Search, vtkIntArray*>> Costs;
+  std::vector<std::pair<typename Comparison::Search, vtkIntArray*>> CostArrays;
 };
 }
 
-SearchComparison<3>::Costs AddQueryArrays(vtkDataSet* queries, const PointsAdaptor& points,
-  const Octree<3>& tree, EmptyOctants reading, const SearchComparison<3>& searches,
-  const Execution& execution)
+template <int Dim>
+typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
+  const PointsAdaptor& points, const PointsOctree<Dim>& octree, EmptyOctants reading,
+  const SearchComparison<Dim>& searches, const Execution& execution)
 {
+  using Costs = typename SearchComparison<Dim>::Costs;
   constexpr std::size_t chunkSize = 1024; // Queries that a thread does at a time.
-  const QuerySearch search(queries, tree, reading, searches);
-  Comparison::Costs all{};
+  const QuerySearch<Dim> search(queries, octree.Tree, reading, searches);
+  Costs all{};
   points.Visit(
-    [&](auto span)
+    [&](auto inSpace)
     {
-      std::vector<Comparison::Costs> chunks((span.Count + chunkSize - 1) / chunkSize);
+      const auto span = Project(inSpace, octree.Frame);
+      std::vector<Costs> chunks((span.Count + chunkSize - 1) / chunkSize);
       execution.For(chunks.size(), 1,
         [&](std::size_t firstChunk, std::size_t lastChunk)
         {
           for (std::size_t i = firstChunk * chunkSize;
                i < std::min(span.Count, lastChunk * chunkSize); ++i)
           {
-            Position<3> x;
-            std::copy(span[i], span[i] + 3, x.begin());
-            Add(chunks[i / chunkSize], search.Search(static_cast<vtkIdType>(i), x));
+            Add(chunks[i / chunkSize],
+              search.Search(static_cast<vtkIdType>(i), GetPosition<Dim>(span, i)));
           }
         });
-      for (const Comparison::Costs& costs : chunks)
+      for (const Costs& costs : chunks)
       {
         Add(all, costs);
       }
     });
   return all;
 }
+
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet*, const PointsAdaptor&,          \
+    const PointsOctree<Dim>&, EmptyOctants, const SearchComparison<Dim>&, const Execution&);
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -3,6 +3,7 @@
 #define QueryArrays_h
 
 #include "PointsAdaptor.h"
+#include "PointsOctree.h"
 #include "SearchComparison.h"
 
 class vtkDataSet;
@@ -14,11 +15,13 @@ namespace hashedoctree
  * search examines: the point arrays LeafId, LeafDepth, LeafKey, HitCost (active), RootCost,
  * MedianCost, MeanCost, LocalCost and DecisionTreeCost of vtkHashedOctreeLocateFilter. Returns the
  * nodes that each search examines for all finite points together. Throws Interrupted, with a data
- * set that must be emptied. The same whatever the threads. Private to the module.
+ * set that must be emptied. The same whatever the threads. Instantiated for 2 and 3 dimensions.
+ * Private to the module.
  */
-SearchComparison<3>::Costs AddQueryArrays(vtkDataSet* queries, const PointsAdaptor& points,
-  const Octree<3>& tree, EmptyOctants reading, const SearchComparison<3>& searches,
-  const Execution& execution);
+template <int Dim>
+typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
+  const PointsAdaptor& points, const PointsOctree<Dim>& octree, EmptyOctants reading,
+  const SearchComparison<Dim>& searches, const Execution& execution);
 }
 
 #endif

@@ -5,6 +5,16 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 
+void vtkHashedOctreeAlgorithm::SetDimension(int dimension)
+{
+  const int known = dimension < Two ? Auto : dimension > Three ? Three : dimension;
+  if (this->Dimension != known)
+  {
+    this->Dimension = known;
+    this->Modified();
+  }
+}
+
 int vtkHashedOctreeAlgorithm::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
@@ -44,6 +54,8 @@ int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(reque
 void vtkHashedOctreeAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimension: " << this->Dimension << "\n";
+  os << indent << "Plane: " << this->Plane << "\n";
   os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
   os << indent << "MaxDepth: " << this->MaxDepth << "\n";
   os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";

@@ -6,6 +6,13 @@
  * The properties of the tree, and of where searches in it start: filters with the same values build
  * the same tree. Input port 0 is any vtkPointSet; of composite data sets every block is taken by
  * itself, and the outputs are then composite data sets of its structure. Abstract.
+ *
+ * The tree is an octree or, of points in a plane, a quadtree: a square in two of the coordinates,
+ * split into four. Its cells lie in the plane through the lowest third coordinate of the points
+ * that take part (of the custom bounds, where the filter has them and uses them); nothing else
+ * comes of the third coordinate, but that a point where it is not finite is left out as in an
+ * octree. Each block of a composite data set, and each piece of a distributed one, has the
+ * dimension and the plane that its own points ask for; set Dimension and Plane to have one of all.
  */
 
 #ifndef vtkHashedOctreeAlgorithm_h
@@ -39,6 +46,41 @@ public:
     Fixed = 3
   };
 
+  /** Octrees or quadtrees: as the points ask for, always quadtrees, or always octrees. */
+  enum Dimensions
+  {
+    Auto = 0,
+    Two = 2,
+    Three = 3
+  };
+
+  /** The plane of a quadtree: that of the two largest extents of the points, or a given one. */
+  enum Planes
+  {
+    Widest = 0,
+    XY = 1,
+    YZ = 2,
+    XZ = 3
+  };
+
+  ///@{
+  /** One of Dimensions, less than 2 being Auto and more than 3 being Three; default Auto: Two where
+   * exactly one extent of the points is 0, to the last digit, else Three, also for points on a line
+   * along an axis and for points at one place, which tell no plane. With Two, other points are
+   * projected to Plane. In place of the points' extents count those of the custom bounds, where the
+   * filter has them and uses them. */
+  virtual void SetDimension(int dimension);
+  vtkGetMacro(Dimension, int);
+  ///@}
+
+  ///@{
+  /** One of Planes, used with Dimension Two; default Widest, where of equal extents that along z is
+   * taken for the smaller one, then that along y. The first axis in the name is the first one of
+   * the tree's, the high bit of an octant. */
+  vtkSetClampMacro(Plane, int, Widest, XZ);
+  vtkGetMacro(Plane, int);
+  ///@}
+
   ///@{
   /** Points that a leaf above MaxDepth may hold. At least 1; default 1. */
   vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
@@ -46,8 +88,9 @@ public:
   ///@}
 
   ///@{
-  /** Depth below which nothing is split, in [0, 21]; default 21. */
-  vtkSetClampMacro(MaxDepth, int, 0, 21);
+  /** Depth below which nothing is split, in [0, 31]; default 21. In octrees, whose keys end there,
+   * more than 21 is 21. */
+  vtkSetClampMacro(MaxDepth, int, 0, 31);
   vtkGetMacro(MaxDepth, int);
   ///@}
 
@@ -65,8 +108,9 @@ public:
   ///@}
 
   ///@{
-  /** Start depth of the Fixed model, in [0, 21]; default 0. It may be deeper than the tree. */
-  vtkSetClampMacro(FixedStartDepth, int, 0, 21);
+  /** Start depth of the Fixed model, in [0, 31]; default 0. It may be deeper than the tree. In
+   * octrees more than 21 is 21. */
+  vtkSetClampMacro(FixedStartDepth, int, 0, 31);
   vtkGetMacro(FixedStartDepth, int);
   ///@}
 
@@ -97,6 +141,8 @@ private:
   vtkHashedOctreeAlgorithm(const vtkHashedOctreeAlgorithm&) = delete;
   void operator=(const vtkHashedOctreeAlgorithm&) = delete;
 
+  int Dimension = Auto;
+  int Plane = Widest;
   int MaxPointsPerLeaf = 1;
   int MaxDepth = 21;
   int FrequencyModel = Leaves;

@@ -41,27 +41,27 @@ class vtkHashedOctreeFilter::Run
 public:
   explicit Run(vtkHashedOctreeFilter* filter)
     : Self(filter)
-    , StartDepths(GetStartDepthOptions(filter))
   {
   }
 
   /** Ports 0, 1 and 2 for one tree. */
-  OctreePass::Outputs operator()(const PointsOctree& octree, const Execution& execution) const
+  template <int Dim>
+  OctreePass::Outputs operator()(const PointsOctree<Dim>& octree, const Execution& execution) const
   {
-    const Octree<3>& tree = octree.Tree;
+    const Octree<Dim>& tree = octree.Tree;
     const DepthCounts& counts = tree.GetDepthCounts();
-    const int startDepth = GetStartDepth(counts, this->StartDepths);
+    const int startDepth = GetStartDepth(tree, GetStartDepthOptions<Dim>(this->Self));
 
     vtkNew<vtkTable> histogram;
-    FillDepthHistogram(histogram, counts);
+    FillDepthHistogram(histogram, counts, Dim);
     vtkNew<vtkTable> costs;
-    FillCostCurves(
-      costs, counts, MeasureCost(tree, execution.Part(OctreePass::BuildShare, MeasuringShare)));
+    FillCostCurves(costs, counts,
+      MeasureCost(tree, execution.Part(OctreePass::BuildShare, MeasuringShare)), Dim);
 
     const auto listed = ListNodes(tree,
       NodeListOptions{ this->Self->IncludeEmptyLeaves, this->Self->IncludeInternalNodes },
       execution.Part(MeasuringShare, ListShare));
-    const OctreeCells cells(tree, startDepth, listed);
+    const OctreeCells<Dim> cells(tree, startDepth, listed, octree.Frame);
     const Execution cellsExecution = execution.Part(ListShare, 1.0);
     vtkSmartPointer<vtkDataObject> nodes;
     if (this->Self->OutputType == Outlines)
@@ -82,22 +82,25 @@ public:
 
 private:
   /** Where searches would start by another frequency model. */
-  int GetStartDepthBy(const DepthCounts& counts, hashedoctree::FrequencyModel model) const
+  template <int Dim>
+  int GetStartDepthBy(const Octree<Dim>& tree, hashedoctree::FrequencyModel model) const
   {
-    StartDepthOptions options = this->StartDepths;
+    StartDepthOptions options = GetStartDepthOptions<Dim>(this->Self);
     options.Frequency = model;
-    return GetStartDepth(counts, options);
+    return GetStartDepth(tree, options);
   }
 
-  void AddFieldData(vtkFieldData* fieldData, const PointsOctree& octree, int startDepth) const
+  template <int Dim>
+  void AddFieldData(vtkFieldData* fieldData, const PointsOctree<Dim>& octree, int startDepth) const
   {
     using Model = hashedoctree::FrequencyModel;
-    const Octree<3>& tree = octree.Tree;
-    const DepthCounts& counts = tree.GetDepthCounts();
-    const DepthHistogram histogram = GetDepthHistogram(counts, this->StartDepths.Frequency, 3);
+    const Octree<Dim>& tree = octree.Tree;
+    const DepthHistogram histogram = GetDepthHistogram(
+      tree.GetDepthCounts(), GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     const double hitCost = GetMeanCost(histogram, startDepth);
     const double rootCost = GetMeanCost(histogram, 0);
 
+    AddFieldValue<vtkIntArray>(fieldData, "Dimension", Dim);
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", startDepth);
     AddFieldValue<vtkDoubleArray>(fieldData, "MeanHitCost", hitCost);
     AddFieldValue<vtkDoubleArray>(fieldData, "MeanRootCost", rootCost);
@@ -108,11 +111,11 @@ private:
     AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfEmptyLeaves", tree.GetNumberOfEmptyLeaves());
     AddFieldValue<vtkIntArray>(fieldData, "DeepestDepth", tree.GetDeepestDepth());
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthLeaves", this->GetStartDepthBy(counts, Model::Leaves));
+      fieldData, "StartDepthLeaves", this->GetStartDepthBy(tree, Model::Leaves));
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthPoints", this->GetStartDepthBy(counts, Model::Points));
+      fieldData, "StartDepthPoints", this->GetStartDepthBy(tree, Model::Points));
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthGrid", this->GetStartDepthBy(counts, Model::Grid));
+      fieldData, "StartDepthGrid", this->GetStartDepthBy(tree, Model::Grid));
     AddFieldValue<vtkIdTypeArray>(fieldData, "TreeBytes", tree.GetTreeBytes());
     AddFieldValue<vtkDoubleArray>(fieldData, "BuildSeconds", octree.BuildSeconds);
     AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
@@ -120,7 +123,6 @@ private:
   }
 
   vtkHashedOctreeFilter* Self;
-  StartDepthOptions StartDepths;
 };
 
 vtkHashedOctreeFilter::vtkHashedOctreeFilter()

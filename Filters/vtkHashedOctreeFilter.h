@@ -6,6 +6,7 @@
  * Builds the octree of the input's points: a cube is split into eight while it holds more than
  * MaxPointsPerLeaf points, down to MaxDepth. The root is the cube at the lower corner of the
  * points' bounds (or of CustomBounds) whose side is their largest extent, 1 if all points coincide.
+ * Of points in a plane it is a quadtree, with squares for cubes: see vtkHashedOctreeAlgorithm.
  * Any node of a hashed octree can be reached directly by position and depth, so that a search need
  * not begin at the root: it begins at a start depth estimated from the depths of the leaves, and
  * their weighted median examines the fewest nodes ("Statistical optimization of octree searches",
@@ -14,7 +15,8 @@
  * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block.
  *
  * Output port 0, the nodes of the tree as cells, ordered by depth, then by Morton key, in a
- * vtkUnstructuredGrid (Voxels) or vtkPolyData (Outlines). Leaves with points are always in it.
+ * vtkUnstructuredGrid of VTK_VOXEL or, of a quadtree, VTK_PIXEL (Voxels), or in a vtkPolyData of a
+ * VTK_POLY_LINE each along its edges (Outlines). Leaves with points are always in it.
  * Cell arrays, one value per cell:
  * - Depth (int, active scalars): 0 is the root;
  * - HitCost (int): nodes that a search for this leaf from the start depth examines, counted in a
@@ -23,17 +25,18 @@
  * - PointCount (vtkIdType): points in the node;
  * - MortonKey (unsigned 64-bit): key of the node, 1 for the root, a child's key being
  *   8 * key + octant, where x is the high bit of the octant (in VTK's own octrees it is the low
- * one).
+ *   one); in a quadtree 4 * key + quadrant, where the first axis of the plane is the high bit.
  *
- * Field data, one value each: StartDepth, MeanHitCost, MeanRootCost (means over all leaves in the
- * chosen FrequencyModel), CostRatio (root / hit), NumberOfPoints, NumberOfNodes (internal nodes and
- * all leaves), NumberOfLeaves, NumberOfEmptyLeaves, DeepestDepth, StartDepthLeaves,
- * StartDepthPoints, StartDepthGrid (by the chosen StartDepthModel in each frequency model),
- * TreeBytes (the tree without the points and their order), BuildSeconds, SkippedPoints (not
- * finite), OutsidePoints (outside CustomBounds).
+ * Field data, one value each: Dimension (2 or 3), StartDepth, MeanHitCost, MeanRootCost (means over
+ * all leaves in the chosen FrequencyModel), CostRatio (root / hit), NumberOfPoints, NumberOfNodes
+ * (internal nodes and all leaves), NumberOfLeaves, NumberOfEmptyLeaves, DeepestDepth,
+ * StartDepthLeaves, StartDepthPoints, StartDepthGrid (by the chosen StartDepthModel in each
+ * frequency model), TreeBytes (the tree without the points and their order), BuildSeconds,
+ * SkippedPoints (not finite), OutsidePoints (outside CustomBounds).
  *
  * Output port 1, vtkTable, one row for each depth from 0 to the deepest: Depth, Leaves,
- * EmptyLeaves, Points, GridWeight (volume of the leaves, in cells of the deepest depth).
+ * EmptyLeaves, Points, GridWeight (volume of the leaves, in a quadtree their area, in cells of the
+ * deepest depth).
  *
  * Output port 2, vtkTable, one row for each start depth from 0 to the deepest, mean number of
  * nodes that one search examines: StartDepth, CostLeaves, CostPoints, CostGrid (the model),
@@ -48,7 +51,7 @@
  * AbortExecute set: reset it before the next update). Points with the same cell at MaxDepth share a
  * leaf, however many they are. At most 2^32 - 2 points, unless built with
  * HASHEDOCTREE_64BIT_IDS. Of a distributed data set every process makes the tree of its own piece;
- * give CustomBounds for one grid.
+ * give CustomBounds for one grid, by which all of them also have the same dimension and plane.
  */
 
 #ifndef vtkHashedOctreeFilter_h
@@ -64,7 +67,7 @@ public:
   vtkTypeMacro(vtkHashedOctreeFilter, vtkHashedOctreeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** What port 0 holds. */
+  /** What port 0 holds; of a quadtree squares for boxes. */
   enum OutputTypes
   {
     Voxels = 0,
@@ -86,8 +89,8 @@ public:
 
   ///@{
   /** Whether CustomBounds gives the root instead of the points' own bounds, so that trees of
-   * different points share one grid. Points outside CustomBounds are left out and counted; points
-   * on its faces are inside. Default off. */
+   * different points share one grid. Points outside CustomBounds are left out and counted, of
+   * quadtrees too; points on its faces are inside. Default off. */
   vtkSetMacro(UseCustomBounds, bool);
   vtkGetMacro(UseCustomBounds, bool);
   vtkBooleanMacro(UseCustomBounds, bool);

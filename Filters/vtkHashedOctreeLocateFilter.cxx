@@ -44,7 +44,6 @@ public:
   Run(vtkHashedOctreeLocateFilter* filter, vtkDataSet* queries)
     : Self(filter)
     , Queries(queries)
-    , Options(GetStartDepthOptions(filter))
   {
   }
 
@@ -60,8 +59,8 @@ public:
     this->FiniteQueries = static_cast<std::uint64_t>(all);
     OctreePass(this->Self)
       .Execute(input, outputVector,
-        [this](const PointsOctree& octree, const Execution& execution)
-        { return this->Locate(octree.Tree, execution); });
+        [this](const auto& octree, const Execution& execution)
+        { return this->Locate(octree, execution); });
     const vtkIdType skipped = all - static_cast<vtkIdType>(this->FiniteQueries);
     if (skipped > 0)
     {
@@ -72,25 +71,30 @@ public:
   }
 
 private:
-  using Comparison = SearchComparison<3>;
-
-  OctreePass::Outputs Locate(const Octree<3>& tree, const Execution& execution)
+  template <int Dim>
+  OctreePass::Outputs Locate(const PointsOctree<Dim>& octree, const Execution& execution)
   {
+    using Comparison = SearchComparison<Dim>;
+    const Octree<Dim>& tree = octree.Tree;
     const PointsAdaptor points(this->Queries, execution.Part(OctreePass::BuildShare, AdaptorShare));
     DepthHistogram depths;
-    points.Visit([&](auto span)
-      { depths = MeasureQueryDepths(tree, span, execution.Part(AdaptorShare, DepthsShare)); });
+    points.Visit(
+      [&](auto span)
+      {
+        depths = MeasureQueryDepths(
+          tree, Project(span, octree.Frame), execution.Part(AdaptorShare, DepthsShare));
+      });
     this->FiniteQueries = std::accumulate(depths.begin(), depths.end(), std::uint64_t(0));
     if (this->FiniteQueries == 0 && !this->IsPiece)
     {
       throw std::invalid_argument("No query point has finite coordinates; mend the query points.");
     }
 
-    const Comparison searches(tree, this->Options, depths);
+    const Comparison searches(tree, GetStartDepthOptions<Dim>(this->Self), depths);
     const auto located = vtk::TakeSmartPointer(this->Queries->NewInstance());
     located->ShallowCopy(this->Queries);
-    const Comparison::Costs costs = AddQueryArrays(
-      located, points, tree, GetReading(this->Self), searches, execution.Part(DepthsShare, 1.0));
+    const typename Comparison::Costs costs = AddQueryArrays(
+      located, points, octree, GetReading(this->Self), searches, execution.Part(DepthsShare, 1.0));
 
     vtkFieldData* fieldData = located->GetFieldData();
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
@@ -103,11 +107,13 @@ private:
     return { located, table };
   }
 
-  void FillTable(vtkTable* table, const Octree<3>& tree, const Comparison& searches,
-    const Comparison::Costs& costs, const DepthHistogram& depths) const
+  template <int Dim>
+  void FillTable(vtkTable* table, const Octree<Dim>& tree, const SearchComparison<Dim>& searches,
+    const typename SearchComparison<Dim>::Costs& costs, const DepthHistogram& depths) const
   {
+    using Comparison = SearchComparison<Dim>;
     std::vector<SearchRow> rows;
-    const auto add = [&](const char* name, Comparison::Search search)
+    const auto add = [&](const char* name, typename Comparison::Search search)
     {
       rows.push_back({ name, searches.GetStartDepth(search), searches.GetPredictedMean(search),
         this->GetMean(costs[search]) });
@@ -122,8 +128,8 @@ private:
     add("Local", Comparison::Local);
     add("Decision tree", Comparison::DecisionTree);
     add("Best for these queries", Comparison::BestForQueries);
-    const DepthHistogram predicted =
-      GetDepthHistogram(tree.GetDepthCounts(), this->Options.Frequency, 3);
+    const DepthHistogram predicted = GetDepthHistogram(
+      tree.GetDepthCounts(), GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     rows.push_back({ "Entropy bound", -1, GetEntropyBound(predicted), GetEntropyBound(depths) });
     FillSearchTable(table, rows);
   }
@@ -137,7 +143,6 @@ private:
 
   vtkHashedOctreeLocateFilter* Self;
   vtkDataSet* Queries;
-  StartDepthOptions Options;
   bool IsPiece = false;
   std::uint64_t FiniteQueries = 0;
 };

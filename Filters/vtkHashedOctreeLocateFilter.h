@@ -3,8 +3,9 @@
  * @class   vtkHashedOctreeLocateFilter
  * @brief   what searches for query points find in an octree of other points, and what they cost
  *
- * Builds the octree of the points of input port 0, the one that vtkHashedOctreeFilter shows, and
- * searches in it for every query point of input port 1. The models say how often a leaf will be
+ * Builds the octree (or quadtree) of the points of input port 0, the one that vtkHashedOctreeFilter
+ * shows, and searches in it for every query point of input port 1. In a quadtree queries are
+ * projected to its plane. The models say how often a leaf will be
  * searched for; this filter says how often it was, and what that cost from each start depth
  * ("Statistical optimization of octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008,
  * section 4).
@@ -15,8 +16,9 @@
  * Output port 0, of the kind of the queries: the queries as they are, with point arrays, one value
  * per query (arrays of the same names are replaced):
  * - LeafId (vtkIdType): cell of vtkHashedOctreeFilter's port 0 that holds the query, for the same
- *   tree properties and IncludeEmptyLeaves, and without internal nodes; without empty leaves also
- *   what vtkHashedOctreePointLocator::GetLeafId() gives. -1 where there is no such cell;
+ *   tree properties and IncludeEmptyLeaves, and without internal nodes; without empty leaves, and
+ *   in an octree, also what vtkHashedOctreePointLocator::GetLeafId() gives. -1 where there is no
+ *   such cell;
  * - LeafDepth (int): depth of the leaf, or of the empty cell without a LeafId;
  * - LeafKey (unsigned 64-bit): its Morton key;
  * - HitCost (int, active scalars): nodes that the search from the chosen start depth examines;

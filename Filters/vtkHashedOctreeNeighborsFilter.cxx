@@ -29,8 +29,10 @@ vtkStandardNewMacro(vtkHashedOctreeNeighborsFilter);
 
 namespace
 {
-using Node = Octree<3>::Node;
-using Neighbors = std::vector<hashedoctree::Neighbor<3>>;
+template <int Dim>
+using Node = typename Octree<Dim>::Node;
+template <int Dim>
+using Neighbors = std::vector<hashedoctree::Neighbor<Dim>>;
 
 int GetCase(NeighborCase neighborCase)
 {
@@ -46,9 +48,11 @@ int GetCase(NeighborCase neighborCase)
 }
 
 /** The query leaf, then its neighbours. */
-Buffer<Node> ListNodes(const Octree<3>& tree, const Node& query, const Neighbors& neighbors)
+template <int Dim>
+Buffer<Node<Dim>> ListNodes(
+  const Octree<Dim>& tree, const Node<Dim>& query, const Neighbors<Dim>& neighbors)
 {
-  Buffer<Node> nodes(1 + neighbors.size());
+  Buffer<Node<Dim>> nodes(1 + neighbors.size());
   nodes[0] = query;
   for (std::size_t i = 0; i < neighbors.size(); ++i)
   {
@@ -58,7 +62,8 @@ Buffer<Node> ListNodes(const Octree<3>& tree, const Node& query, const Neighbors
 }
 
 /** Cell arrays Role and Case (active), and the number of neighbours of each case. */
-void AddNeighborArrays(vtkUnstructuredGrid* output, const Neighbors& neighbors)
+template <int Dim>
+void AddNeighborArrays(vtkUnstructuredGrid* output, const Neighbors<Dim>& neighbors)
 {
   using Filter = vtkHashedOctreeNeighborsFilter;
   vtkNew<vtkIntArray> roles;
@@ -112,19 +117,20 @@ public:
   }
 
   /** The cells for one tree; nothing where it has no query leaf. */
-  OctreePass::Outputs Process(const PointsOctree& octree, const Execution& execution)
+  template <int Dim>
+  OctreePass::Outputs Process(const PointsOctree<Dim>& octree, const Execution& execution)
   {
-    const Octree<3>& tree = octree.Tree;
-    const int startDepth = GetStartDepth(tree.GetDepthCounts(), GetStartDepthOptions(this->Self));
+    const Octree<Dim>& tree = octree.Tree;
+    const int startDepth = GetStartDepth(tree, GetStartDepthOptions<Dim>(this->Self));
     ++this->Trees;
-    const std::optional<Node> query = this->FindQuery(tree, startDepth);
+    const std::optional<Node<Dim>> query = this->FindQuery(octree, startDepth);
     if (!query)
     {
       return {};
     }
     ++this->TreesWithQuery;
 
-    Neighbors neighbors;
+    Neighbors<Dim> neighbors;
     NodeCount examined;
     if (this->Self->SearchMode == InRadius)
     {
@@ -137,10 +143,10 @@ public:
     }
 
     vtkNew<vtkUnstructuredGrid> cells;
-    const Buffer<Node> nodes = ListNodes(tree, *query, neighbors);
-    OctreeCells(tree, startDepth, nodes)
+    const Buffer<Node<Dim>> nodes = ListNodes<Dim>(tree, *query, neighbors);
+    OctreeCells<Dim>(tree, startDepth, nodes, octree.Frame)
       .MakeVoxels(cells, execution.Part(OctreePass::BuildShare, 1.0));
-    AddNeighborArrays(cells, neighbors);
+    AddNeighborArrays<Dim>(cells, neighbors);
     AddFieldValue<vtkIntArray>(cells->GetFieldData(), "StartDepth", startDepth);
     AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "ExaminedNodes", examined.Nodes);
     AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "SkippedPoints", octree.SkippedPoints);
@@ -178,14 +184,17 @@ public:
   }
 
 private:
-  std::optional<Node> FindQuery(const Octree<3>& tree, int startDepth) const
+  template <int Dim>
+  std::optional<Node<Dim>> FindQuery(const PointsOctree<Dim>& octree, int startDepth) const
   {
-    MortonKey<3> key(static_cast<std::uint64_t>(this->Self->LeafKey));
+    const Octree<Dim>& tree = octree.Tree;
+    MortonKey<Dim> key(static_cast<std::uint64_t>(this->Self->LeafKey));
     if (!this->Self->UseLeafKey)
     {
-      key = FindLeaf(tree, tree.GetGrid().GetKey(this->Self->Center), startDepth).Key;
+      const Position<Dim> center = octree.Frame.Project(this->Self->Center);
+      key = FindLeaf(tree, tree.GetGrid().GetKey(center), startDepth).Key;
     }
-    const std::optional<Node> node = tree.FindNode(key, this->Reading);
+    const std::optional<Node<Dim>> node = tree.FindNode(key, this->Reading);
     return node && !node->Internal ? node : std::nullopt;
   }
 
@@ -216,7 +225,7 @@ int vtkHashedOctreeNeighborsFilter::RequestData(vtkInformation* vtkNotUsed(reque
       Run run(this);
       run.RequireQuery();
       OctreePass(this).Execute(vtkDataObject::GetData(inputVector[0]), outputVector,
-        [&run](const PointsOctree& octree, const Execution& execution)
+        [&run](const auto& octree, const Execution& execution)
         { return run.Process(octree, execution); });
       run.CheckQueryLeaves(OctreePass::IsPiece(outputVector));
     });

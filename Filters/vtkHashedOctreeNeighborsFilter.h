@@ -14,6 +14,8 @@
  * - InRadius: the other leaves whose closed cells meet the closed ball of Radius around the center
  *   of the QUERY LEAF, not around Center. A ball that does not reach the border of the query leaf
  *   meets none; half the leaf's side is the least radius that does.
+ * In the quadtree of points in a plane (see vtkHashedOctreeAlgorithm) cells are squares, the ball
+ * is a disk, and Center is projected to the plane.
  *
  * Leaves are those that vtkHashedOctreeFilter shows with the same properties: without
  * IncludeEmptyLeaves those with points only (the sparse reading). Then a position may lie in an
@@ -22,10 +24,10 @@
  *
  * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block.
  *
- * Output: vtkUnstructuredGrid of one VTK_VOXEL for each leaf, which share corners: the query leaf,
- * then its neighbours in the order of the search, which depends on the tree and the query alone.
- * Cell arrays: Depth, HitCost, RootCost, PointCount, MortonKey as those of vtkHashedOctreeFilter,
- * and
+ * Output: vtkUnstructuredGrid of one VTK_VOXEL, or VTK_PIXEL, for each leaf, which share corners:
+ * the query leaf, then its neighbours in the order of the search, which depends on the tree and the
+ * query alone. Cell arrays: Depth, HitCost, RootCost, PointCount, MortonKey as those of
+ * vtkHashedOctreeFilter, and
  * - Role (int): one of Roles;
  * - Case (int, active scalars): one of Cases, how the depth of the neighbour compares with that of
  *   the query leaf, which decides how the search gets to it.
@@ -106,7 +108,7 @@ public:
 
   ///@{
   /** Key of the query leaf, a value of the array MortonKey; default 1, the root. The keys of depth
-   * 21 are 2^63 and more: here they are the negative numbers with the same 64 bits. */
+   * 21 in octrees are 2^63 and more: here they are the negative numbers with the same 64 bits. */
   vtkSetMacro(LeafKey, vtkTypeInt64);
   vtkGetMacro(LeafKey, vtkTypeInt64);
   ///@}

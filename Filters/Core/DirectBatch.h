@@ -9,28 +9,28 @@
 namespace hashedoctree
 {
 /**
- * Direct searches for many positions, one after the other, for each of which it calls
- * onLeaf(i, leaf) with what FindLeaf() finds. Where a search begins in the table follows from its
- * position alone. So the machine is asked for the beginnings of a group of searches before the
- * first of them waits for its own: the more of the tree is outside of the caches the more that
- * saves.
+ * Direct searches for the positions `first` to `last` - 1 of a span (PointSpan, PlaneSpan), one
+ * after the other, for each of which it calls onLeaf(i, leaf) with what FindLeaf() finds. Where a
+ * search begins in the table follows from its position alone. So the machine is asked for the
+ * beginnings of a group of searches before the first of them waits for its own: the more of the
+ * tree is outside of the caches the more that saves.
  *
  * Positions are placed as by Grid::GetKey(), also those that are outside the root or not finite.
  * getStartDepth(key) says where the search for a key at MaxDepth starts, in [0, MaxDepth]. Other
  * arguments, and the cost, as of FindLeaf(). Allocates nothing. Thread safe.
  */
-template <template <int> class Tree, int Dim, typename Real, typename GetStartDepth,
+template <template <int> class Tree, int Dim, typename Points, typename GetStartDepth,
   typename OnLeaf>
-void FindLeaves(const Tree<Dim>& tree, PointSpan<Dim, Real> positions,
+void FindLeaves(const Tree<Dim>& tree, const Points& positions, std::size_t first, std::size_t last,
   const GetStartDepth& getStartDepth, const OnLeaf& onLeaf,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
   constexpr std::size_t groupSize = 16; // Loads that a machine has on their way at a time.
   std::array<MortonKey<Dim>, groupSize> keys;
   std::array<int, groupSize> startDepths;
-  for (std::size_t first = 0; first < positions.Count; first += groupSize)
+  for (; first < last; first += groupSize)
   {
-    const std::size_t count = std::min(groupSize, positions.Count - first);
+    const std::size_t count = std::min(groupSize, last - first);
     for (std::size_t i = 0; i < count; ++i)
     {
       keys[i] = tree.GetGrid().GetKey(positions[first + i]);

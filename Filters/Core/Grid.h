@@ -114,9 +114,9 @@ public:
     return static_cast<std::uint32_t>(t);
   }
 
-  /** Cell at MaxDepth that holds the position. */
-  template <typename Real>
-  Cell<Dim> GetCell(const Real* x) const
+  /** Cell at MaxDepth that holds the position x[0], x[1], ... */
+  template <typename Coordinates>
+  Cell<Dim> GetCell(const Coordinates& x) const
   {
     Cell<Dim> cell;
     for (int axis = 0; axis < Dim; ++axis)
@@ -127,8 +127,8 @@ public:
   }
 
   /** Key at MaxDepth of the position. */
-  template <typename Real>
-  Key GetKey(const Real* x) const
+  template <typename Coordinates>
+  Key GetKey(const Coordinates& x) const
   {
     return Key::FromCell(this->GetCell(x), Key::MaxDepth);
   }

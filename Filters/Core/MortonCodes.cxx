@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MortonCodes.h"
 
+#include "PlaneSpan.h"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define HASHEDOCTREE_PDEP
@@ -75,9 +77,9 @@ void InterleaveCells(
   }
 }
 
-template <int Dim, typename Real>
-Buffer<CodedPoint<Dim>> EncodePoints(PointSpan<Dim, Real> points,
-  const PointSelection<Dim>& selection, const Grid<Dim>& grid, const Execution& execution)
+template <int Dim, typename Points>
+Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& selection,
+  const Grid<Dim>& grid, const Execution& execution)
 {
   constexpr std::size_t chunkSize = PointSelection<Dim>::ChunkSize;
   constexpr std::size_t blockSize = 128; // Cells and keys of a block stay in the first cache.
@@ -98,10 +100,11 @@ Buffer<CodedPoint<Dim>> EncodePoints(PointSpan<Dim, Real> points,
         std::size_t kept = 0;
         for (std::size_t i = block; i < end; ++i)
         {
-          if (selection.Keeps(points[i]))
+          const auto x = points[i];
+          if (selection.Keeps(x))
           {
             coded[next + kept].Id = static_cast<PointIndex>(i);
-            cells[kept] = grid.GetCell(points[i]);
+            cells[kept] = grid.GetCell(x);
             ++kept;
           }
         }
@@ -128,4 +131,8 @@ HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
+template Buffer<CodedPoint<2>> EncodePoints(
+  PlaneSpan<float>, const PointSelection<2>&, const Grid<2>&, const Execution&);
+template Buffer<CodedPoint<2>> EncodePoints(
+  PlaneSpan<double>, const PointSelection<2>&, const Grid<2>&, const Execution&);
 }

@@ -38,10 +38,11 @@ struct CodedPoint
   PointIndex Id;
 };
 
-/** The selected points with their keys, in the order of the data set. O(n). Throws Interrupted. */
-template <int Dim, typename Real>
-Buffer<CodedPoint<Dim>> EncodePoints(PointSpan<Dim, Real> points,
-  const PointSelection<Dim>& selection, const Grid<Dim>& grid, const Execution& execution);
+/** The selected points with their keys, in the order of the data set. O(n). Throws Interrupted.
+ * Instantiated for PointSpans of float and double, in two dimensions for PlaneSpans, too. */
+template <int Dim, typename Points>
+Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& selection,
+  const Grid<Dim>& grid, const Execution& execution);
 }
 
 #endif

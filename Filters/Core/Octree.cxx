@@ -2,15 +2,16 @@
 #include "Octree.h"
 
 #include "OctreeBuilder.h"
+#include "PlaneSpan.h"
 
 #include <numeric>
 
 namespace hashedoctree
 {
 template <int Dim>
-template <typename Real>
-Octree<Dim>::Octree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
-  const Options& options, const Execution& execution)
+template <typename Points>
+Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const Options& options,
+  const Execution& execution)
   : BuildOptions(options)
 {
   if (selection.GetNumberOfPoints() == 0)
@@ -87,4 +88,8 @@ HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
+template Octree<2>::Octree(
+  PlaneSpan<float>, const PointSelection<2>&, const Octree<2>::Options&, const Execution&);
+template Octree<2>::Octree(
+  PlaneSpan<double>, const PointSelection<2>&, const Octree<2>::Options&, const Execution&);
 }

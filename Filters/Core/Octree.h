@@ -103,11 +103,12 @@ public:
   /**
    * Builds the tree of the selected points: O(n) for n points, plus O(1) for each node. The box of
    * the selection becomes the root (see Grid). Points are told apart by their cells at
-   * MortonKey::MaxDepth only. Instantiated for float and double. Throws std::length_error when the
-   * tree would have more internal nodes than 32 bits can number, and Interrupted.
+   * MortonKey::MaxDepth only. Instantiated for PointSpans of float and double, in two dimensions
+   * for PlaneSpans, too. Throws std::length_error when the tree would have more internal nodes than
+   * 32 bits can number, and Interrupted.
    */
-  template <typename Real>
-  Octree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection, const Options& options,
+  template <typename Points>
+  Octree(Points points, const PointSelection<Dim>& selection, const Options& options,
     const Execution& execution);
 
   const Grid<Dim>& GetGrid() const { return this->RootGrid; }

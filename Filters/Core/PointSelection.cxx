@@ -32,9 +32,9 @@ struct ChunkCensus
 }
 
 template <int Dim>
-template <typename Real>
+template <typename Points>
 PointSelection<Dim>::PointSelection(
-  PointSpan<Dim, Real> points, const std::optional<Box<Dim>>& given, const Execution& execution)
+  Points points, const std::optional<Box<Dim>>& given, const Execution& execution)
   : HasBox(given.has_value())
 {
   if (points.Count > MaxNumberOfPoints)
@@ -59,7 +59,7 @@ PointSelection<Dim>::PointSelection(
         const std::size_t last = std::min(points.Count, (chunk + 1) * ChunkSize);
         for (std::size_t i = chunk * ChunkSize; i < last; ++i)
         {
-          const Real* x = points[i];
+          const auto x = points[i];
           if (!IsFinite(x))
           {
             ++local.Skipped;

@@ -24,6 +24,16 @@ struct PointSpan
   const Real* operator[](std::size_t i) const { return this->Coordinates + Dim * i; }
 };
 
+/** Point i of a span, in double precision. */
+template <int Dim, typename Points>
+Position<Dim> GetPosition(const Points& points, std::size_t i)
+{
+  const auto x = points[i];
+  Position<Dim> position;
+  std::copy_n(&x[0], Dim, position.begin());
+  return position;
+}
+
 /**
  * Which points of a data set take part in a tree, and the box around them.
  *
@@ -39,13 +49,29 @@ public:
   static constexpr std::size_t ChunkSize = 8192;
 
   /**
-   * Selects from all points; O(n). Instantiated for float and double. Throws std::length_error
-   * above MaxNumberOfPoints, std::invalid_argument for a box that is not finite or whose upper
-   * corner lies below its lower one, and Interrupted.
+   * Selects from all points; O(n). Instantiated for PointSpans of float and double. Throws
+   * std::length_error above MaxNumberOfPoints, std::invalid_argument for a box that is not finite
+   * or whose upper corner lies below its lower one, and Interrupted.
    */
-  template <typename Real>
-  PointSelection(
-    PointSpan<Dim, Real> points, const std::optional<Box<Dim>>& given, const Execution& execution);
+  template <typename Points>
+  PointSelection(Points points, const std::optional<Box<Dim>>& given, const Execution& execution);
+
+  /** The same points as `selection`, with the given ones of their coordinates. What the others must
+   * be to be kept, the points that Keeps() is asked of must tell: see PlaneSpan, whose interval is
+   * to be that of the box of `selection`. */
+  template <int Space>
+  PointSelection(const PointSelection<Space>& selection, const std::array<int, Dim>& axes)
+    : HasBox(selection.HasBox)
+    , Skipped(selection.Skipped)
+    , Outside(selection.Outside)
+    , FirstOfChunk(selection.FirstOfChunk)
+  {
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      this->Bounds.Lower[axis] = selection.Bounds.Lower[axes[axis]];
+      this->Bounds.Upper[axis] = selection.Bounds.Upper[axes[axis]];
+    }
+  }
 
   /** The given box, or the box around the kept points; Box's default when there are none. */
   const Box<Dim>& GetBox() const { return this->Bounds; }
@@ -57,16 +83,19 @@ public:
   /** How many points are kept before those of this chunk. */
   std::size_t GetFirstOfChunk(std::size_t chunk) const { return this->FirstOfChunk[chunk]; }
 
-  /** Whether a point takes part. Pure. */
-  template <typename Real>
-  bool Keeps(const Real* x) const
+  /** Whether a point, the value of a span, takes part. Pure. */
+  template <typename Coordinates>
+  bool Keeps(const Coordinates& x) const
   {
     return IsFinite(x) && (!this->HasBox || this->IsInBox(x));
   }
 
 private:
-  template <typename Real>
-  static bool IsFinite(const Real* x)
+  template <int Space>
+  friend class PointSelection;
+
+  template <typename Coordinates>
+  static bool IsFinite(const Coordinates& x)
   {
     bool finite = true;
     for (int axis = 0; axis < Dim; ++axis)
@@ -76,8 +105,8 @@ private:
     }
     return finite;
   }
-  template <typename Real>
-  bool IsInBox(const Real* x) const
+  template <typename Coordinates>
+  bool IsInBox(const Coordinates& x) const
   {
     bool inside = true;
     for (int axis = 0; axis < Dim; ++axis)

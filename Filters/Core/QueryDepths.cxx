@@ -2,14 +2,15 @@
 #include "QueryDepths.h"
 
 #include "DirectBatch.h"
+#include "PlaneSpan.h"
 
 #include <algorithm>
 
 namespace hashedoctree
 {
-template <int Dim, typename Real>
+template <int Dim, typename Points>
 DepthHistogram MeasureQueryDepths(
-  const Octree<Dim>& tree, PointSpan<Dim, Real> queries, const Execution& execution)
+  const Octree<Dim>& tree, Points queries, const Execution& execution)
 {
   constexpr std::size_t chunkSize = 4096; // Positions that a thread does at a time.
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
@@ -22,15 +23,13 @@ DepthHistogram MeasureQueryDepths(
       {
         PerDepth counts{};
         const std::size_t first = chunk * chunkSize;
-        const PointSpan<Dim, Real> part{ queries[first],
-          std::min(chunkSize, queries.Count - first) };
         FindLeaves(
-          tree, part, [startDepth](MortonKey<Dim>) { return startDepth; },
-          [&counts, part](std::size_t i, const FoundLeaf<Dim>& leaf)
+          tree, queries, first, std::min(queries.Count, first + chunkSize),
+          [startDepth](MortonKey<Dim>) { return startDepth; },
+          [&counts, &queries](std::size_t i, const FoundLeaf<Dim>& leaf)
           {
-            Position<Dim> x;
-            std::copy(part[i], part[i] + Dim, x.begin());
-            counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += IsFinite(x) ? 1 : 0;
+            const bool counted = IsFinite(GetPosition<Dim>(queries, i));
+            counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += counted ? 1 : 0;
           });
         chunks[chunk] = counts;
       }
@@ -57,4 +56,6 @@ HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
+template DepthHistogram MeasureQueryDepths(const Octree<2>&, PlaneSpan<float>, const Execution&);
+template DepthHistogram MeasureQueryDepths(const Octree<2>&, PlaneSpan<double>, const Execution&);
 }

@@ -13,11 +13,12 @@ namespace hashedoctree
  *
  * Positions outside the root count for the leaf nearest to them, as in Grid; those that are not
  * finite are left out. O(1 + |l - median|) for each position whose leaf is at depth l. The same
- * whatever the threads. Instantiated for float and double. Throws Interrupted.
+ * whatever the threads. Instantiated for PointSpans of float and double, in two dimensions for
+ * PlaneSpans, too. Throws Interrupted.
  */
-template <int Dim, typename Real>
+template <int Dim, typename Points>
 DepthHistogram MeasureQueryDepths(
-  const Octree<Dim>& tree, PointSpan<Dim, Real> queries, const Execution& execution);
+  const Octree<Dim>& tree, Points queries, const Execution& execution);
 }
 
 #endif

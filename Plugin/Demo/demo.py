@@ -323,7 +323,9 @@ def lay_out(whole, leaves, captions):
 
 
 def octree_pictures(folder, stage, source, octree, figures):
-    cut = slice_all_leaves(source, stage) if figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE else None
+    # Of a quadtree a slice would be lines.
+    has_slice = figures["Dimension"] == 3 and figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE
+    cut = slice_all_leaves(source, stage) if has_slice else None
     held = "Leaves that hold points"
     if stage.flat:
         captions = held + (", before a slice through all leaves" if cut else ""), "A closer look"

@@ -13,6 +13,8 @@
 TEST(TestHashedOctreeFilter, HasTheDocumentedDefaults)
 {
   vtkNew<vtkHashedOctreeFilter> filter;
+  EXPECT_EQ(filter->GetDimension(), vtkHashedOctreeFilter::Auto);
+  EXPECT_EQ(filter->GetPlane(), vtkHashedOctreeFilter::Widest);
   EXPECT_EQ(filter->GetMaxPointsPerLeaf(), 1);
   EXPECT_EQ(filter->GetMaxDepth(), 21);
   EXPECT_EQ(filter->GetFrequencyModel(), vtkHashedOctreeFilter::Leaves);
@@ -38,17 +40,24 @@ TEST(TestHashedOctreeFilter, ClampsValuesThatAreOutOfRange)
     return (filter->*get)();
   };
   using F = vtkHashedOctreeFilter;
+  EXPECT_EQ(clamped(&F::SetDimension, &F::GetDimension, -1), F::Auto);
+  EXPECT_EQ(clamped(&F::SetDimension, &F::GetDimension, 1), F::Auto);
+  EXPECT_EQ(clamped(&F::SetDimension, &F::GetDimension, 2), F::Two);
+  EXPECT_EQ(clamped(&F::SetDimension, &F::GetDimension, 3), F::Three);
+  EXPECT_EQ(clamped(&F::SetDimension, &F::GetDimension, 4), F::Three);
+  EXPECT_EQ(clamped(&F::SetPlane, &F::GetPlane, -1), F::Widest);
+  EXPECT_EQ(clamped(&F::SetPlane, &F::GetPlane, 4), F::XZ);
   EXPECT_EQ(clamped(&F::SetMaxPointsPerLeaf, &F::GetMaxPointsPerLeaf, 0), 1);
   EXPECT_EQ(clamped(&F::SetMaxPointsPerLeaf, &F::GetMaxPointsPerLeaf, VTK_INT_MIN), 1);
   EXPECT_EQ(clamped(&F::SetMaxPointsPerLeaf, &F::GetMaxPointsPerLeaf, VTK_INT_MAX), VTK_INT_MAX);
   EXPECT_EQ(clamped(&F::SetMaxDepth, &F::GetMaxDepth, -1), 0);
-  EXPECT_EQ(clamped(&F::SetMaxDepth, &F::GetMaxDepth, 22), 21);
+  EXPECT_EQ(clamped(&F::SetMaxDepth, &F::GetMaxDepth, 32), 31);
   EXPECT_EQ(clamped(&F::SetFrequencyModel, &F::GetFrequencyModel, -1), F::Leaves);
   EXPECT_EQ(clamped(&F::SetFrequencyModel, &F::GetFrequencyModel, 3), F::Grid);
   EXPECT_EQ(clamped(&F::SetStartDepthModel, &F::GetStartDepthModel, -1), F::Median);
   EXPECT_EQ(clamped(&F::SetStartDepthModel, &F::GetStartDepthModel, 4), F::Fixed);
   EXPECT_EQ(clamped(&F::SetFixedStartDepth, &F::GetFixedStartDepth, -1), 0);
-  EXPECT_EQ(clamped(&F::SetFixedStartDepth, &F::GetFixedStartDepth, 22), 21);
+  EXPECT_EQ(clamped(&F::SetFixedStartDepth, &F::GetFixedStartDepth, 32), 31);
   EXPECT_EQ(clamped(&F::SetOutputType, &F::GetOutputType, -1), F::Voxels);
   EXPECT_EQ(clamped(&F::SetOutputType, &F::GetOutputType, 2), F::Outlines);
 }
@@ -56,6 +65,8 @@ TEST(TestHashedOctreeFilter, ClampsValuesThatAreOutOfRange)
 TEST(TestHashedOctreeFilter, PrintsEveryProperty)
 {
   vtkNew<vtkHashedOctreeFilter> filter;
+  filter->SetDimension(vtkHashedOctreeFilter::Two);
+  filter->SetPlane(vtkHashedOctreeFilter::YZ);
   filter->SetMaxPointsPerLeaf(11);
   filter->SetMaxDepth(12);
   filter->SetFrequencyModel(vtkHashedOctreeFilter::Grid);
@@ -66,9 +77,10 @@ TEST(TestHashedOctreeFilter, PrintsEveryProperty)
   filter->SetCustomBounds(14, 15, 16, 17, 18, 19);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line : { "MaxPointsPerLeaf: 11", "MaxDepth: 12", "FrequencyModel: 2",
-         "StartDepthModel: 3", "FixedStartDepth: 13", "OutputType: 1", "IncludeEmptyLeaves: 1",
-         "IncludeInternalNodes: 0", "UseCustomBounds: 0", "CustomBounds: 14, 15, 16, 17, 18, 19" })
+  for (const char* line :
+    { "Dimension: 2", "Plane: 2", "MaxPointsPerLeaf: 11", "MaxDepth: 12", "FrequencyModel: 2",
+      "StartDepthModel: 3", "FixedStartDepth: 13", "OutputType: 1", "IncludeEmptyLeaves: 1",
+      "IncludeInternalNodes: 0", "UseCustomBounds: 0", "CustomBounds: 14, 15, 16, 17, 18, 19" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line << " is not in\n" << text.str();
   }
@@ -95,7 +107,9 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
     filter->Update(port);
   }
   filter->SetMaxDepth(filter->GetMaxDepth());
-  filter->SetMaxDepth(99); // Clamped to what it is.
+  // Clamped to what they are.
+  filter->SetMaxPointsPerLeaf(0);
+  filter->SetDimension(1);
   filter.Update();
   EXPECT_EQ(filter.Executions, 1);
 
@@ -105,6 +119,10 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
     filter.Update();
     EXPECT_EQ(filter.Executions, ++executions);
   };
+  filter->SetPlane(vtkHashedOctreeFilter::XZ);
+  expectRun();
+  filter->SetDimension(vtkHashedOctreeFilter::Three);
+  expectRun();
   filter->SetMaxPointsPerLeaf(2);
   expectRun();
   filter->SetMaxDepth(3);

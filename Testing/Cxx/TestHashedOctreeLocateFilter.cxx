@@ -94,6 +94,8 @@ void ExpectCells(TestedLocateFilter& filter, vtkDataObject* points)
 TEST(TestHashedOctreeLocateFilter, HasTheDocumentedDefaults)
 {
   vtkNew<Filter> filter;
+  EXPECT_EQ(filter->GetDimension(), Filter::Auto);
+  EXPECT_EQ(filter->GetPlane(), Filter::Widest);
   EXPECT_EQ(filter->GetMaxPointsPerLeaf(), 1);
   EXPECT_EQ(filter->GetMaxDepth(), 21);
   EXPECT_EQ(filter->GetFrequencyModel(), Filter::Leaves);
@@ -114,18 +116,20 @@ TEST(TestHashedOctreeLocateFilter, ClampsValuesThatAreOutOfRange)
   };
   EXPECT_EQ(clamped(&Filter::SetMaxPointsPerLeaf, &Filter::GetMaxPointsPerLeaf, 0), 1);
   EXPECT_EQ(clamped(&Filter::SetMaxDepth, &Filter::GetMaxDepth, -1), 0);
-  EXPECT_EQ(clamped(&Filter::SetMaxDepth, &Filter::GetMaxDepth, 22), 21);
+  EXPECT_EQ(clamped(&Filter::SetMaxDepth, &Filter::GetMaxDepth, 32), 31);
   EXPECT_EQ(clamped(&Filter::SetFrequencyModel, &Filter::GetFrequencyModel, 3), Filter::Grid);
   EXPECT_EQ(clamped(&Filter::SetFrequencyModel, &Filter::GetFrequencyModel, -1), Filter::Leaves);
   EXPECT_EQ(clamped(&Filter::SetStartDepthModel, &Filter::GetStartDepthModel, 4), Filter::Fixed);
   EXPECT_EQ(clamped(&Filter::SetStartDepthModel, &Filter::GetStartDepthModel, -1), Filter::Median);
   EXPECT_EQ(clamped(&Filter::SetFixedStartDepth, &Filter::GetFixedStartDepth, -1), 0);
-  EXPECT_EQ(clamped(&Filter::SetFixedStartDepth, &Filter::GetFixedStartDepth, 22), 21);
+  EXPECT_EQ(clamped(&Filter::SetFixedStartDepth, &Filter::GetFixedStartDepth, 32), 31);
 }
 
 TEST(TestHashedOctreeLocateFilter, PrintsEveryProperty)
 {
   vtkNew<Filter> filter;
+  filter->SetDimension(Filter::Two);
+  filter->SetPlane(Filter::YZ);
   filter->SetMaxPointsPerLeaf(11);
   filter->SetMaxDepth(12);
   filter->SetFrequencyModel(Filter::Grid);
@@ -134,8 +138,9 @@ TEST(TestHashedOctreeLocateFilter, PrintsEveryProperty)
   filter->IncludeEmptyLeavesOn();
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line : { "MaxPointsPerLeaf: 11", "MaxDepth: 12", "FrequencyModel: 2",
-         "StartDepthModel: 3", "FixedStartDepth: 13", "IncludeEmptyLeaves: 1" })
+  for (const char* line :
+    { "Dimension: 2", "Plane: 2", "MaxPointsPerLeaf: 11", "MaxDepth: 12", "FrequencyModel: 2",
+      "StartDepthModel: 3", "FixedStartDepth: 13", "IncludeEmptyLeaves: 1" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line << " is not in\n" << text.str();
   }
@@ -366,7 +371,7 @@ TEST(TestHashedOctreeLocateFilter, RunsOnlyAfterAChange)
     MakePolyData(MakeTwoDensities(100, 330)), MakePolyData(MakeQueries(10, 332)));
   filter.Update();
   filter->Update(1);
-  filter->SetMaxDepth(99); // Clamped to what it is.
+  filter->SetMaxPointsPerLeaf(0); // Clamped to what it is.
   filter.Update();
   int executions = 1;
   EXPECT_EQ(filter.Executions, executions);
@@ -375,6 +380,8 @@ TEST(TestHashedOctreeLocateFilter, RunsOnlyAfterAChange)
     filter.Update();
     EXPECT_EQ(filter.Executions, ++executions);
   };
+  filter->SetDimension(Filter::Three);
+  expectRun();
   filter->SetMaxPointsPerLeaf(2);
   expectRun();
   filter->SetMaxDepth(3);

@@ -13,12 +13,10 @@ queries.Transform.Scale = [0.7, 0.9, 1.1]  # Partly outside the box of the spher
 
 # The proxy.
 locate = simple.HashedOctreeLocate(Input=sphere, QueryPoints=queries)
-names = check_properties(locate, vtkHashedOctreeLocateFilter, {
-    "FrequencyModel": ["Leaves", "Points", "Grid"],
-    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
-}, ["Input", "QueryPoints"])
-values = {"MaxPointsPerLeaf": 7, "MaxDepth": 9, "FrequencyModel": "Grid",
-          "StartDepthModel": "Fixed", "FixedStartDepth": 3, "IncludeEmptyLeaves": 1}
+names = check_properties(locate, vtkHashedOctreeLocateFilter, inputs=["Input", "QueryPoints"])
+values = {"Dimension": "Two", "Plane": "YZ", "MaxPointsPerLeaf": 7, "MaxDepth": 9,
+          "FrequencyModel": "Grid", "StartDepthModel": "Fixed", "FixedStartDepth": 3,
+          "IncludeEmptyLeaves": 1}
 assert set(values) == names, names
 if not servermanager.ActiveConnection.IsRemote():
     check_values(simple.HashedOctreeLocate(Input=sphere, QueryPoints=queries),

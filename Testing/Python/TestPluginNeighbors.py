@@ -5,17 +5,14 @@ import octreetesting  # loads the plugin
 from hashedoctree import vtkHashedOctreeNeighborsFilter
 from paraview import simple
 
-ENUMERATIONS = {
-    "FrequencyModel": ["Leaves", "Points", "Grid"],
-    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
-    "SearchMode": ["Adjacent", "InRadius"],
-}
+SEARCH_MODES = ["Adjacent", "InRadius"]
 path, number_of_points = octreetesting.write_sphere()
 sphere = simple.XMLPolyDataReader(FileName=[path])
 sphere.UpdatePipeline()
 neighbors = simple.HashedOctreeNeighbors(Input=sphere)
-names = octreetesting.check_properties(neighbors, vtkHashedOctreeNeighborsFilter, ENUMERATIONS)
-assert len(names) == 11, names
+names = octreetesting.check_properties(neighbors, vtkHashedOctreeNeighborsFilter,
+                                       {"SearchMode": SEARCH_MODES})
+assert len(names) == 13, names
 
 # In ParaView the ball begins in the middle of the input, a tenth as large.
 bounds = sphere.GetDataInformation().GetBounds()
@@ -39,9 +36,10 @@ assert groups == {"InteractiveSphere": "1", "InteractiveHandle": "0"}, groups
 
 # Values reach the class. At depth 1, key 15 is a leaf.
 octreetesting.check_values(neighbors, vtkHashedOctreeNeighborsFilter, {
-    "MaxPointsPerLeaf": 2, "MaxDepth": 1, "FrequencyModel": "Grid", "StartDepthModel": "Fixed",
-    "FixedStartDepth": 3, "IncludeEmptyLeaves": 0, "SearchMode": "InRadius",
-    "Center": [0.5, 0.0, 0.0], "Radius": 0.125, "UseLeafKey": 1, "LeafKey": 15})
+    "Dimension": "Three", "Plane": "YZ", "MaxPointsPerLeaf": 2, "MaxDepth": 1,
+    "FrequencyModel": "Grid", "StartDepthModel": "Fixed", "FixedStartDepth": 3,
+    "IncludeEmptyLeaves": 0, "SearchMode": "InRadius", "Center": [0.5, 0.0, 0.0],
+    "Radius": 0.125, "UseLeafKey": 1, "LeafKey": 15})
 
 
 def leaves(source):
@@ -70,7 +68,7 @@ for empty in (0, 1):
     octree = simple.HashedOctree(Input=sphere, IncludeEmptyLeaves=empty)
     all_arrays, all_figures, all_boxes = leaves(octree)
     keys = all_arrays["MortonKey"]
-    for mode in ENUMERATIONS["SearchMode"]:
+    for mode in SEARCH_MODES:
         neighbors = simple.HashedOctreeNeighbors(
             Input=sphere, IncludeEmptyLeaves=empty, SearchMode=mode, Radius=0.0625,
             Center=points.GetPoint(number_of_points // 3))

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The leaves around a leaf, coloured by case as in the paper's Figures 5 and 6: those that touch it,
-and those in a radius. The points lie in a plane, so that the octree looks like a quadtree from
+and those in a radius. The points lie in a plane, so that the tree is a quadtree; it is seen from
 below."""
 import sys
 

@@ -4,22 +4,25 @@ import octreetesting  # loads the plugin
 from hashedoctree import vtkHashedOctreeFilter
 from paraview import simple
 
-ENUMERATIONS = {
-    "FrequencyModel": ["Leaves", "Points", "Grid"],
-    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
-    "OutputType": ["Voxels", "Outlines"],
-}
 octree = simple.HashedOctree(Input=simple.Sphere())
-names = octreetesting.check_properties(octree, vtkHashedOctreeFilter, ENUMERATIONS)
-assert len(names) == 10, names
+names = octreetesting.check_properties(octree, vtkHashedOctreeFilter,
+                                       {"OutputType": ["Voxels", "Outlines"]})
+assert len(names) == 12, names
 
 # Values reach the class.
-values = {"MaxPointsPerLeaf": 7, "MaxDepth": 9, "FrequencyModel": "Grid",
-          "StartDepthModel": "Fixed", "FixedStartDepth": 3, "OutputType": "Outlines",
-          "IncludeEmptyLeaves": 1, "IncludeInternalNodes": 1, "UseCustomBounds": 1,
+values = {"Dimension": "Two", "Plane": "XZ", "MaxPointsPerLeaf": 7, "MaxDepth": 9,
+          "FrequencyModel": "Grid", "StartDepthModel": "Fixed", "FixedStartDepth": 3,
+          "OutputType": "Outlines", "IncludeEmptyLeaves": 1, "IncludeInternalNodes": 1,
+          "UseCustomBounds": 1,
           "CustomBounds": [-2.0, 2.0, -3.0, 3.0, -4.0, 4.0]}
 assert set(values) == names
 octreetesting.check_values(octree, vtkHashedOctreeFilter, values)
+
+# Plane is shown where it is used.
+decorator = octree.SMProxy.GetProperty("Plane").GetHints().FindNestedElementByName(
+    "PropertyWidgetDecorator")
+assert decorator.GetAttribute("property") == "Dimension"
+assert decorator.GetAttribute("value") == str(vtkHashedOctreeFilter.Two)
 
 # In ParaView the custom bounds begin as those of the input.
 sphere = simple.Sphere(Radius=5.0, Center=[1.0, 2.0, 3.0], ThetaResolution=64, PhiResolution=64)

@@ -15,6 +15,13 @@ CELL_ARRAYS = ["Depth", "HitCost", "RootCost", "PointCount", "MortonKey"]
 HISTOGRAM = ["Depth", "Leaves", "EmptyLeaves", "Points", "GridWeight"]
 COSTS = ["StartDepth", "CostLeaves", "CostPoints", "CostGrid", "MeasuredLeaves", "MeasuredPoints",
          "ContinuousLeaves"]
+# Names of values of the properties that all filters have.
+ENUMERATIONS = {
+    "Dimension": ["Auto", "Two", "Three"],
+    "Plane": ["Widest", "XY", "YZ", "XZ"],
+    "FrequencyModel": ["Leaves", "Points", "Grid"],
+    "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
+}
 
 
 def argument(option):
@@ -74,9 +81,11 @@ def value_of(filter_, name):
     return value if isinstance(value, tuple) else (value,)
 
 
-def check_properties(proxy, class_, enumerations, inputs=("Input",)):
+def check_properties(proxy, class_, enumerations=None, inputs=("Input",)):
     """Every property of the class is one of the proxy, with the same name, default, range and names
-    of values, and there are no others but the inputs. Returns the names."""
+    of values (`enumerations` beside ENUMERATIONS), and there are no others but the inputs. Returns
+    the names."""
+    enumerations = {**ENUMERATIONS, **(enumerations or {})}
     own = set(dir(class_)) - set(dir(vtkDataObjectAlgorithm))
     names = {name[3:] for name in own
              if name.startswith("Set") and "Get" + name[3:] in own and "To" not in name[3:]}
