@@ -8,6 +8,7 @@
 #include "OctreeCells.h"
 #include "PointBatch.h"
 #include "PointsAdaptor.h"
+#include "ThreadTeam.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -18,6 +19,7 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <exception>
@@ -250,23 +252,28 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
 
 void vtkHashedOctreePointLocator::FillIndex()
 {
-  const Execution execution = MakeExecution();
-  const PointsAdaptor points(this->DataSet, execution);
+  const Execution threads = MakeExecution();
+  const PointsAdaptor points(this->DataSet, threads);
   Octree<3>::Options options;
   options.MaxPointsPerLeaf = static_cast<std::size_t>(this->MaxPointsPerLeaf);
   options.MaxDepth = this->GetMaxDepth();
   std::size_t skipped = 0;
+  const auto build = [&](auto span, const Execution& execution)
+  {
+    const PointSelection<3> selection(span, {}, execution);
+    this->Tree->Points = PointTree(span, selection, options, execution);
+    skipped = selection.GetNumberOfSkippedPoints();
+    for (int axis = 0; axis < 3 && selection.GetNumberOfPoints() > 0; ++axis)
+    {
+      this->Bounds[2 * axis] = selection.GetBox().Lower[axis];
+      this->Bounds[2 * axis + 1] = selection.GetBox().Upper[axis];
+    }
+  };
   points.Visit(
     [&](auto span)
     {
-      const PointSelection<3> selection(span, {}, execution);
-      this->Tree->Points = PointTree(span, selection, options, execution);
-      skipped = selection.GetNumberOfSkippedPoints();
-      for (int axis = 0; axis < 3 && selection.GetNumberOfPoints() > 0; ++axis)
-      {
-        this->Bounds[2 * axis] = selection.GetBox().Lower[axis];
-        this->Bounds[2 * axis + 1] = selection.GetBox().Upper[axis];
-      }
+      ThreadTeam::Run(threads, static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads()),
+        [&](const Execution& execution) { build(span, execution); });
     });
   if (skipped > 0)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MortonOrder.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace
 constexpr int DigitBits = 9; // Three depths of an octree; 512 counters stay in the first cache.
 constexpr std::size_t NumberOfDigits = std::size_t(1) << DigitBits;
 constexpr std::size_t InsertionLimit = 32; // Up to here insertion beats counting digits.
-constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a range on its own.
+constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a range on its own,
+constexpr std::size_t SerialShare = 16;    // and up to this part of all points.
 constexpr std::size_t ChunkSize = 16384;   // Points that a thread partitions at a time.
 
 using DigitCounts = std::array<PointIndex, NumberOfDigits>;
@@ -29,13 +31,14 @@ public:
 
   void Sort()
   {
+    const std::size_t limit = std::max(SerialLimit, this->Points.GetSize() / SerialShare);
     std::vector<Range> large{ Range{ 0, this->Points.GetSize(), TopShift, false } };
     std::vector<Range> small;
     while (!large.empty())
     {
       const Range range = large.back();
       large.pop_back();
-      if (range.Last - range.First <= SerialLimit || range.Shift == NoDigit)
+      if (range.Last - range.First <= limit || range.Shift == NoDigit)
       {
         small.push_back(range);
       }

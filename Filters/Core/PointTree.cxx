@@ -7,7 +7,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t Grain = 2048; // Blocks that a thread does at a time.
+constexpr std::size_t Grain = 256; // Blocks that a thread does at a time.
 
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
 template <int Dim>

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ThreadTeam.h"
+
+#include "Threads.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+using namespace hashedoctree;
+
+namespace
+{
+/** Two, and eight, at a time, and one after the other in the calling thread. */
+std::vector<Execution> MakeExecutions()
+{
+  const auto inTurns =
+    [](std::size_t first, std::size_t last, std::size_t, const Execution::Body& body)
+  {
+    for (; first < last; ++first)
+    {
+      body(first, first + 1);
+    }
+  };
+  return { Execution(), Execution(inTurns), Execution(OnThreads(2)), Execution(OnThreads(8)) };
+}
+}
+
+TEST(TestThreadTeam, LoopsDoEachPartOnceOneAfterTheOther)
+{
+  const std::size_t loops = 200;
+  for (const Execution& threads : MakeExecutions())
+  {
+    for (std::size_t numberOfThreads = 1; numberOfThreads <= 8; ++numberOfThreads)
+    {
+      std::vector<std::size_t> values(97, 0);
+      int runs = 0;
+      ThreadTeam::Run(threads, numberOfThreads,
+        [&](const Execution& execution)
+        {
+          ++runs;
+          for (std::size_t loop = 0; loop < loops; ++loop)
+          {
+            execution.For(values.size(), 1 + loop % 7,
+              [&values, loop, loops](std::size_t first, std::size_t last)
+              {
+                ASSERT_LE(last - first, 1 + loop % 7);
+                for (std::size_t i = first; i < last; ++i)
+                {
+                  // Only in order: each loop must be over when the next one begins.
+                  values[i] = values[i] == loop ? loop + 1 : loops + 1;
+                }
+              });
+            execution.For(0, 1, [&runs](std::size_t, std::size_t) { ++runs; });
+          }
+        });
+      EXPECT_EQ(runs, 1);
+      EXPECT_EQ(values, std::vector<std::size_t>(values.size(), loops));
+    }
+  }
+}
+
+TEST(TestThreadTeam, OthersHelpTheLeader)
+{
+  // The leader's part ends only when another thread has come for one.
+  std::mutex mutex;
+  std::set<std::thread::id> helpers;
+  std::condition_variable changed;
+  ThreadTeam::Run(Execution(OnThreads(2)), 2,
+    [&](const Execution& execution)
+    {
+      execution.For(2, 1,
+        [&](std::size_t, std::size_t)
+        {
+          std::unique_lock<std::mutex> lock(mutex);
+          helpers.insert(std::this_thread::get_id());
+          changed.notify_all();
+          changed.wait(lock, [&helpers] { return helpers.size() == 2; });
+        });
+    });
+  EXPECT_EQ(helpers.size(), 2U);
+}
+
+TEST(TestThreadTeam, WhatIsThrownComesBack)
+{
+  for (const Execution& threads : MakeExecutions())
+  {
+    for (std::size_t place = 0; place < 10; ++place)
+    {
+      bool goesOn = false;
+      const auto run = [&]
+      {
+        ThreadTeam::Run(threads, 4,
+          [&](const Execution& execution)
+          {
+            execution.For(10, 1,
+              [place](std::size_t first, std::size_t last)
+              {
+                if (first <= place && place < last)
+                {
+                  throw std::runtime_error("part " + std::to_string(place));
+                }
+              });
+            goesOn = true;
+          });
+      };
+      EXPECT_THROW(run(), std::runtime_error);
+      EXPECT_FALSE(goesOn);
+    }
+    EXPECT_THROW(ThreadTeam::Run(threads, 4,
+                   [](const Execution&) { throw std::invalid_argument("computation"); }),
+      std::invalid_argument);
+  }
+}
+
+TEST(TestThreadTeam, AComputationMayGoOnAfterAnError)
+{
+  std::atomic<int> parts{ 0 };
+  ThreadTeam::Run(Execution(OnThreads(4)), 4,
+    [&parts](const Execution& execution)
+    {
+      const auto fail = [](std::size_t, std::size_t) { throw std::runtime_error("no"); };
+      EXPECT_THROW(execution.For(3, 1, fail), std::runtime_error);
+      execution.For(
+        5, 1, [&parts](std::size_t first, std::size_t last) { parts += int(last - first); });
+    });
+  EXPECT_EQ(parts, 5);
+}
+
+TEST(TestThreadTeam, TeamsWorkWithinLoopsOfOthers)
+{
+  std::atomic<std::size_t> sum{ 0 };
+  Execution(OnThreads(3))
+    .For(12, 1,
+      [&sum](std::size_t, std::size_t)
+      {
+        ThreadTeam::Run(Execution(OnThreads(2)), 2,
+          [&sum](const Execution& execution) {
+            execution.For(
+              100, 3, [&sum](std::size_t first, std::size_t last) { sum += last - first; });
+          });
+      });
+  EXPECT_EQ(sum, 1200U);
+}
