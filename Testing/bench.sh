@@ -8,7 +8,7 @@
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            --help tells its own arguments
 #   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, its claims and figures,
-#                                            in build/bench/paper.md; a quarter of an hour, --quick a minute
+#                                            in build/bench/paper.md; 17 minutes, --quick one
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"

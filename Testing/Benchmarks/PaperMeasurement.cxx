@@ -2,6 +2,7 @@
 #include "PaperMeasurement.h"
 
 #include "DepthDecisionTree.h"
+#include "PaperBatch.h"
 #include "PaperFrequencyCosts.h"
 #include "PaperKeys.h"
 #include "PaperNeighborStarts.h"
@@ -217,6 +218,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   const double radius = results.RadiusOfSide * trees.Ours.GetGrid().GetSide();
   CheckAnswers(peers, points, radius, results);
   MeasureSearches(peers, points, radius, repetitions, results);
+  MeasureBatch(trees.Ours, points, repetitions, results);
   MeasureWorkloads(trees, points, repetitions, results);
   MeasureNeighborStarts(trees.Ours, leaves, radius, results);
   MeasureKeys(trees.Ours, points, repetitions, results);

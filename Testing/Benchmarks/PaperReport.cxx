@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PaperReport.h"
 
+#include "PaperBatch.h"
 #include "PaperClaims.h"
 #include "PaperKeys.h"
 #include "PaperStartDepthTables.h"
@@ -59,6 +60,7 @@ void WriteReport(const std::vector<PaperResults>& sets, int repetitions, std::os
   WriteConditions(markdown, sets, repetitions);
   WriteTable1(markdown, sets);
   WriteTable2(markdown, sets);
+  WriteBatch(markdown, sets);
   WriteTable3(markdown, sets);
   WriteFrequencies(markdown, sets);
   WriteModels(markdown, sets);

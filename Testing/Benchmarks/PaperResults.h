@@ -122,6 +122,8 @@ struct PaperResults
   Spread OurOptimise;   ///< The median of the counts that the build has kept.
   std::array<std::size_t, NumberOfKinds> Searches{};
   std::array<std::array<Spread, NumberOfPeers>, NumberOfKinds> Times;
+  Spread SingleSearches; ///< Direct searches for all points, one at a time,
+  Spread BatchSearches;  ///< and at once.
   std::array<std::size_t, 3> WorkloadSearches{};
   WorkloadTimes PaperWorkloads;
   WorkloadTimes OurWorkloads;
