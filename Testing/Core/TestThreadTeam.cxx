@@ -14,6 +14,8 @@ using namespace hashedoctree;
 
 namespace
 {
+constexpr std::size_t NumberOfLoops = 200;
+
 /** Two, and eight, at a time, and one after the other in the calling thread. */
 std::vector<Execution> MakeExecutions()
 {
@@ -31,7 +33,6 @@ std::vector<Execution> MakeExecutions()
 
 TEST(TestThreadTeam, LoopsDoEachPartOnceOneAfterTheOther)
 {
-  const std::size_t loops = 200;
   for (const Execution& threads : MakeExecutions())
   {
     for (std::size_t numberOfThreads = 1; numberOfThreads <= 8; ++numberOfThreads)
@@ -42,23 +43,23 @@ TEST(TestThreadTeam, LoopsDoEachPartOnceOneAfterTheOther)
         [&](const Execution& execution)
         {
           ++runs;
-          for (std::size_t loop = 0; loop < loops; ++loop)
+          for (std::size_t loop = 0; loop < NumberOfLoops; ++loop)
           {
             execution.For(values.size(), 1 + loop % 7,
-              [&values, loop, loops](std::size_t first, std::size_t last)
+              [&values, loop](std::size_t first, std::size_t last)
               {
                 ASSERT_LE(last - first, 1 + loop % 7);
                 for (std::size_t i = first; i < last; ++i)
                 {
                   // Only in order: each loop must be over when the next one begins.
-                  values[i] = values[i] == loop ? loop + 1 : loops + 1;
+                  values[i] = values[i] == loop ? loop + 1 : NumberOfLoops + 1;
                 }
               });
             execution.For(0, 1, [&runs](std::size_t, std::size_t) { ++runs; });
           }
         });
       EXPECT_EQ(runs, 1);
-      EXPECT_EQ(values, std::vector<std::size_t>(values.size(), loops));
+      EXPECT_EQ(values, std::vector<std::size_t>(values.size(), NumberOfLoops));
     }
   }
 }
