@@ -18,7 +18,8 @@ namespace hashedoctree
  *
  * Positions are placed as by Grid::GetKey(), also those that are outside the root or not finite.
  * getStartDepth(key) says where the search for a key at MaxDepth starts, in [0, MaxDepth]. Other
- * arguments, and the cost, as of FindLeaf(). Allocates nothing. Thread safe.
+ * arguments, and the cost, as of FindLeaf(); the tree must have GetGrid(), too. Allocates nothing.
+ * Thread safe.
  */
 template <template <int> class Tree, int Dim, typename Points, typename GetStartDepth,
   typename OnLeaf>

@@ -150,8 +150,7 @@ public:
   std::optional<Node> FindNode(Key key, EmptyOctants reading = EmptyOctants::Leaves) const;
 
   /** Asks the machine to load what the table tells of some children of a node, all of them
-   * internal, before a search goes down into the first. Inline always: left to itself GCC takes a
-   * function that only does so for one that does nothing, and leaves out the call. */
+   * internal, before a search goes down into the first. Inline for the reason of Prefetch(). */
   [[gnu::always_inline]] void PrefetchChildren(Key key, std::uint32_t children) const
   {
     for (; children != 0; children &= children - 1)

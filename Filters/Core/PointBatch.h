@@ -38,7 +38,7 @@ public:
         std::vector<FoundPoint> found;
         for (std::size_t i = first; i < last; ++i)
         {
-          this->FindClosestTo(GetPosition(positions[i]), count, found);
+          this->FindClosestTo(GetPosition<Dim>(positions, i), count, found);
           for (std::size_t j = 0; j < count; ++j)
           {
             const bool exists = j < found.size();
@@ -94,7 +94,7 @@ public:
           const std::size_t last = std::min(positions.Count, (chunk + 1) * Grain);
           for (std::size_t i = chunk * Grain; i < last; ++i)
           {
-            this->Search.FindWithin(GetPosition(positions[i]), radius, found);
+            this->Search.FindWithin(GetPosition<Dim>(positions, i), radius, found);
             std::sort(found.begin(), found.end());
             lists.Offsets[i + 1] = found.size();
             lists.Chunks[chunk].insert(lists.Chunks[chunk].end(), found.begin(), found.end());
@@ -112,14 +112,6 @@ public:
 
 private:
   static constexpr std::size_t Grain = 512; ///< Positions that a thread does at a time.
-
-  template <typename Real2>
-  static Position<Dim> GetPosition(const Real2* x)
-  {
-    Position<Dim> position;
-    std::copy_n(x, Dim, position.begin());
-    return position;
-  }
 
   void FindClosestTo(
     const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const
