@@ -3,7 +3,6 @@
 #define hashedoctree_DirectBatch_h
 
 #include "DirectSearch.h"
-#include "MortonCodes.h"
 
 #include <array>
 
@@ -27,21 +26,15 @@ void FindLeaves(const Tree<Dim>& tree, const Points& positions, std::size_t firs
   const GetStartDepth& getStartDepth, const OnLeaf& onLeaf,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
-  using Key = MortonKey<Dim>;
   constexpr std::size_t groupSize = 16; // Loads that a machine has on their way at a time.
-  std::array<Cell<Dim>, groupSize> cells;
-  std::array<Key, groupSize> keys;
+  std::array<MortonKey<Dim>, groupSize> keys;
   std::array<int, groupSize> startDepths;
   for (; first < last; first += groupSize)
   {
     const std::size_t count = std::min(groupSize, last - first);
     for (std::size_t i = 0; i < count; ++i)
     {
-      cells[i] = tree.GetGrid().GetCell(positions[first + i]);
-    }
-    InterleaveCells<Dim>(cells.data(), count, keys.data(), GetFastestInterleaving());
-    for (std::size_t i = 0; i < count; ++i)
-    {
+      keys[i] = tree.GetGrid().GetKey(positions[first + i]);
       startDepths[i] = getStartDepth(keys[i]);
       tree.GetTable().Prefetch(keys[i].AtDepth(std::max(startDepths[i] - 1, 0)).GetValue());
     }

@@ -2,7 +2,7 @@
 #ifndef hashedoctree_Grid_h
 #define hashedoctree_Grid_h
 
-#include "MortonKey.h"
+#include "Interleaving.h"
 
 #include <algorithm>
 #include <array>
@@ -130,7 +130,7 @@ public:
   template <typename Coordinates>
   Key GetKey(const Coordinates& x) const
   {
-    return Key::FromCell(this->GetCell(x), Key::MaxDepth);
+    return InterleaveCell<Dim>(this->GetCell(x));
   }
 
   /** World position of the lower corner of a cell of MaxDepth, given by its coordinates in

@@ -5,31 +5,8 @@
 #include "Buffer.h"
 #include "PointSelection.h"
 
-#include <cstddef>
-#include <cstdint>
-
 namespace hashedoctree
 {
-/** How cells are interleaved into keys; both ways give the same keys. */
-enum class Interleaving
-{
-  Dilation, ///< Shifts and masks, on any machine.
-  Pdep      ///< The parallel bit deposit instruction of BMI2.
-};
-
-/** The faster one on the machine at hand, found once at run time. Pdep is not taken where it is
- * microcoded and slower than shifts (AMD before Zen 3). */
-Interleaving GetFastestInterleaving();
-
-/** Whether the machine can run Interleaving::Pdep at all. */
-bool HasPdep();
-
-/** Keys at MaxDepth of `count` cells of MaxDepth, in their order. O(count). Pdep must only be asked
- * for where HasPdep(). Instantiated for 1 to 4 dimensions. */
-template <int Dim>
-void InterleaveCells(
-  const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys, Interleaving interleaving);
-
 /** A point of a data set by its id, and its key at MaxDepth. */
 template <int Dim>
 struct CodedPoint

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PaperKeys.h"
 
-#include "MortonCodes.h"
+#include "Interleaving.h"
 #include "PaperFormat.h"
 
+#include <algorithm>
 #include <ostream>
 
 namespace paper_benchmark
 {
 namespace
 {
-using hashedoctree::Interleaving;
 using hashedoctree::Octree;
 
 void MeasureInterleaving(
@@ -24,16 +24,19 @@ void MeasureInterleaving(
   }
   std::vector<Key> dilated(cells.size());
   std::vector<Key> deposited(cells.size());
-  const auto time = [&cells](std::vector<Key>& keys, Interleaving interleaving)
+  const auto time = [&cells](std::vector<Key>& keys, const auto& interleave)
   {
-    return GetSeconds([&]
-      { hashedoctree::InterleaveCells<3>(cells.data(), cells.size(), keys.data(), interleaving); });
+    return GetSeconds(
+      [&] { std::transform(cells.begin(), cells.end(), keys.begin(), interleave); });
   };
   std::vector<std::function<double()>> runs{ [&]
-    { return time(dilated, Interleaving::Dilation); } };
+    {
+      return time(dilated,
+        [](const hashedoctree::Cell<3>& cell) { return Key::FromCell(cell, Key::MaxDepth); });
+    } };
   if (hashedoctree::HasPdep())
   {
-    runs.emplace_back([&] { return time(deposited, Interleaving::Pdep); });
+    runs.emplace_back([&] { return time(deposited, hashedoctree::DepositCell<3>); });
   }
   const std::vector<Spread> times = TimeInTurns(runs, cells.size(), repetitions);
   results.Keys.Dilation = times.front();

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_Interleaving_h
+#define hashedoctree_Interleaving_h
+
+#include "MortonKey.h"
+
+namespace hashedoctree
+{
+/** Whether the machine has the parallel bit deposit instruction of BMI2. */
+bool HasPdep();
+
+/** Whether that is the fastest way to interleave: not where it is microcoded and slower than shifts
+ * (AMD before Zen 3). Found before main(); false until then. */
+extern const bool PdepIsFastest;
+
+/** As InterleaveCell(), by bit deposit; only where HasPdep(). The cell by reference: handed over in
+ * registers it would first have to be put together. Instantiated for 1 to 4 dimensions. */
+template <int Dim>
+MortonKey<Dim> DepositCell(const Cell<Dim>& cell);
+
+/** The key at MaxDepth of a cell of MaxDepth: MortonKey::FromCell() by the machine's fastest way.
+ */
+template <int Dim>
+MortonKey<Dim> InterleaveCell(const Cell<Dim>& cell)
+{
+  return PdepIsFastest ? DepositCell<Dim>(cell)
+                       : MortonKey<Dim>::FromCell(cell, MortonKey<Dim>::MaxDepth);
+}
+}
+
+#endif

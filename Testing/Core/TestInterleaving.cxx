@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Interleaving.h"
+
+#include "Dimensions.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestInterleaving : public ::testing::Test
+{
+public:
+  static constexpr int Dim = Dimension::value;
+  using Key = MortonKey<Dim>;
+
+  /** Cells anywhere, and those in the corners of the root. */
+  static std::vector<Cell<Dim>> MakeCells()
+  {
+    constexpr std::uint32_t last = (std::uint64_t(1) << Key::MaxDepth) - 1;
+    std::mt19937 random(12);
+    std::vector<Cell<Dim>> cells(5000);
+    for (Cell<Dim>& cell : cells)
+    {
+      for (std::uint32_t& coordinate : cell)
+      {
+        coordinate = random() & last;
+      }
+    }
+    for (unsigned corner = 0; corner < Key::NumberOfOctants; ++corner)
+    {
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        cells[corner][axis] = (corner >> axis & 1U) != 0 ? last : 0;
+      }
+    }
+    return cells;
+  }
+};
+TYPED_TEST_SUITE(TestInterleaving, Dimensions);
+
+TYPED_TEST(TestInterleaving, FastestWayGivesTheKeysOfDilation)
+{
+  constexpr int dim = TypeParam::value;
+  for (const Cell<dim>& cell : this->MakeCells())
+  {
+    ASSERT_EQ(InterleaveCell<dim>(cell), MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
+  }
+}
+
+TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
+{
+  constexpr int dim = TypeParam::value;
+  if (!HasPdep())
+  {
+    GTEST_SKIP() << "this machine has no BMI2 instructions, so there is nothing to compare";
+  }
+  for (const Cell<dim>& cell : this->MakeCells())
+  {
+    ASSERT_EQ(DepositCell<dim>(cell), MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
+  }
+}
+
+TEST(TestPdep, IsFastestOnlyWhereTheMachineHasIt)
+{
+  EXPECT_TRUE(HasPdep() || !PdepIsFastest);
+}
