@@ -130,7 +130,7 @@ public:
   template <typename Coordinates>
   Key GetKey(const Coordinates& x) const
   {
-    return InterleaveCell<Dim>(this->GetCell(x));
+    return InterleaveCell<Dim>(this->GetCell(x), Key::MaxDepth);
   }
 
   /** World position of the lower corner of a cell of MaxDepth, given by its coordinates in

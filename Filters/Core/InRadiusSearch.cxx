@@ -28,52 +28,113 @@ public:
   void Search(int startDepth)
   {
     const NeighborCells<Dim> cover = this->Ball.GetCover();
+    std::array<Parent, Key::NumberOfOctants> parents;
+    std::size_t count = 0;
     ReachCells(
       this->Tree, cover, startDepth, this->Reading, this->Examined,
-      [this, &cover](const Cell<Dim>& cell, Key key, const Entry& entry)
-      { this->Descend(entry, key, cell, cover.Depth); },
+      [this, &cover, &parents, &count](const Cell<Dim>& cell, Key key, const Entry& entry) {
+        parents[count++] = { key, this->Ball.GetLower(cell, cover.Depth), &entry };
+      },
       [this](const FoundLeaf<Dim>& leaf)
       {
         const Key key = leaf.Key;
-        if (this->Ball.GetSide(key.GetCell(), key.GetDepth()) != BallSide::Outside)
+        if (this->Ball.Meets(key.GetCell(), key.GetDepth()))
         {
           this->Found.push_back({ key, leaf.ParentBlock, NeighborCase::Above });
         }
       });
+    this->Descend(parents.data(), count, cover.Depth);
   }
 
 private:
   using Key = MortonKey<Dim>;
   using Entry = typename Octree<Dim>::Entry;
 
-  /** Through the children of an internal node that meet the ball; through all of them, without a
-   * test, where the node lies inside it. */
-  void Descend(const Entry& entry, Key key, const Cell<Dim>& cell, int depth, bool isInside = false)
+  /** An internal node on the way down. */
+  struct Parent
   {
-    const std::uint32_t others = this->GetOthers(key);
-    for (std::uint32_t rest = others; rest != 0; rest &= rest - 1)
+    Key NodeKey;
+    Position<Dim> Lower; ///< From the center of the ball, see NodeBall.
+    const Entry* Children;
+  };
+  /** So many are looked at together: their children have one bit each in a word. */
+  static constexpr std::size_t GroupSize = 64 / Key::NumberOfOctants;
+
+  /** Lists the leaves below the parents, of this depth, that meet the ball. */
+  void Descend(const Parent* parents, std::size_t count, int depth)
+  {
+    for (const Parent* const last = parents + count; parents < last; parents += GroupSize)
     {
-      this->Examined.AddNode();
-    }
-    const BallSides sides =
-      isInside ? BallSides{ others, others } : this->Ball.GetSidesOfChildren(cell, depth);
-    const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : entry.Occupied;
-    const std::uint32_t found = others & sides.Meeting & nodes;
-    this->Tree.PrefetchChildren(key, found & entry.Internal);
-    for (std::uint32_t rest = found; rest != 0; rest &= rest - 1)
-    {
-      const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
-      const Key child = key.GetChild(octant);
-      if ((entry.Internal >> octant & 1U) == 0)
+      const auto size = std::min<std::size_t>(GroupSize, last - parents);
+      std::uint64_t internal = this->ListLeaves(parents, size, depth + 1);
+      while (internal != 0)
       {
-        this->Found.push_back({ child, entry.Block, this->GetCase(depth + 1) });
-      }
-      else
-      {
-        this->Descend(*this->Tree.GetTable().Find(child.GetValue()), child,
-          GetChildCell(cell, octant), depth + 1, (sides.Inside >> octant & 1U) != 0);
+        std::array<Parent, GroupSize> children;
+        const std::size_t taken = this->TakeChildren(parents, depth + 1, internal, children);
+        this->Descend(children.data(), taken, depth + 1);
       }
     }
+  }
+
+  /** Makes parents of the first group of internal nodes, of this depth, whose bits are taken out;
+   * returns how many. The table is asked for all before the first is needed. */
+  std::size_t TakeChildren(const Parent* parents, int depth, std::uint64_t& internal,
+    std::array<Parent, GroupSize>& children) const
+  {
+    const double size = NodeBall<Dim>::GetSize(depth);
+    std::size_t count = 0;
+    for (; internal != 0 && count < GroupSize; internal &= internal - 1)
+    {
+      const auto bit = static_cast<unsigned>(__builtin_ctzll(internal));
+      const Parent& parent = parents[bit / Key::NumberOfOctants];
+      Parent& child = children[count++];
+      child.NodeKey = parent.NodeKey.GetChild(bit % Key::NumberOfOctants);
+      this->Tree.GetTable().Prefetch(child.NodeKey.GetValue());
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        const bool isUpper = (bit >> (Dim - 1 - axis) & 1U) != 0;
+        child.Lower[axis] = parent.Lower[axis] + (isUpper ? size : 0.0);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      children[i].Children = this->Tree.GetTable().Find(children[i].NodeKey.GetValue());
+    }
+    return count;
+  }
+
+  /** Lists those children, of this depth, that are leaves and meet the ball, and returns those that
+   * are internal nodes and meet it. */
+  std::uint64_t ListLeaves(const Parent* parents, std::size_t count, int depth)
+  {
+    const double size = NodeBall<Dim>::GetSize(depth);
+    const NeighborCase kind = this->GetCase(depth);
+    std::uint64_t meeting = 0;
+    std::uint64_t internal = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::uint64_t others = this->GetOthers(parents[i].NodeKey);
+      for (std::uint64_t rest = others; rest != 0; rest &= rest - 1)
+      {
+        this->Examined.AddNode();
+      }
+      const Entry& entry = *parents[i].Children;
+      const std::uint64_t nodes = this->Reading == EmptyOctants::Leaves ? others : entry.Occupied;
+      meeting |= (others & nodes & this->Ball.GetMeetingOctants(parents[i].Lower, size))
+        << (i * Key::NumberOfOctants);
+      internal |= std::uint64_t(entry.Internal) << (i * Key::NumberOfOctants);
+    }
+    std::array<Neighbor<Dim>, GroupSize * Key::NumberOfOctants> leaves;
+    std::size_t numberOfLeaves = 0;
+    for (std::uint64_t rest = meeting & ~internal; rest != 0; rest &= rest - 1)
+    {
+      const auto bit = static_cast<unsigned>(__builtin_ctzll(rest));
+      const Parent& parent = parents[bit / Key::NumberOfOctants];
+      leaves[numberOfLeaves++] = { parent.NodeKey.GetChild(bit % Key::NumberOfOctants),
+        parent.Children->Block, kind };
+    }
+    this->Found.insert(this->Found.end(), leaves.begin(), leaves.begin() + numberOfLeaves);
+    return meeting & internal;
   }
 
   /** The children of a node without the node that is searched from. */
@@ -81,16 +142,6 @@ private:
   {
     constexpr std::uint32_t all = (1U << Key::NumberOfOctants) - 1U;
     return key == this->Node.GetParent() ? all ^ 1U << this->Node.GetOctant() : all;
-  }
-
-  static Cell<Dim> GetChildCell(const Cell<Dim>& cell, unsigned octant)
-  {
-    Cell<Dim> child;
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      child[axis] = 2U * cell[axis] + (octant >> (Dim - 1 - axis) & 1U);
-    }
-    return child;
   }
 
   NeighborCase GetCase(int depth) const

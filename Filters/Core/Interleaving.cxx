@@ -21,10 +21,10 @@ const bool PdepIsFastest = HasPdep() && !__builtin_cpu_is("znver1") &&
   !__builtin_cpu_is("znver2") && !__builtin_cpu_is("bdver4");
 
 template <int Dim>
-HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell)
+HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)
 {
   constexpr std::uint64_t lowestAxis = Dilation<Dim>::Mask(1);
-  std::uint64_t value = std::uint64_t(1) << (Dim * MortonKey<Dim>::MaxDepth);
+  std::uint64_t value = std::uint64_t(1) << (Dim * depth);
   for (int axis = 0; axis < Dim; ++axis)
   {
     value |= _pdep_u64(cell[axis], lowestAxis << (Dim - 1 - axis));
@@ -40,15 +40,15 @@ bool HasPdep()
 const bool PdepIsFastest = false;
 
 template <int Dim>
-MortonKey<Dim> DepositCell(const Cell<Dim>& cell)
+MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)
 {
-  return MortonKey<Dim>::FromCell(cell, MortonKey<Dim>::MaxDepth);
+  return MortonKey<Dim>::FromCell(cell, depth);
 }
 #endif
 
 // GCC takes the attribute of an explicit instantiation, not that of the template.
-template HASHEDOCTREE_WITH_PDEP MortonKey<1> DepositCell<1>(const Cell<1>&);
-template HASHEDOCTREE_WITH_PDEP MortonKey<2> DepositCell<2>(const Cell<2>&);
-template HASHEDOCTREE_WITH_PDEP MortonKey<3> DepositCell<3>(const Cell<3>&);
-template HASHEDOCTREE_WITH_PDEP MortonKey<4> DepositCell<4>(const Cell<4>&);
+template HASHEDOCTREE_WITH_PDEP MortonKey<1> DepositCell<1>(const Cell<1>&, int);
+template HASHEDOCTREE_WITH_PDEP MortonKey<2> DepositCell<2>(const Cell<2>&, int);
+template HASHEDOCTREE_WITH_PDEP MortonKey<3> DepositCell<3>(const Cell<3>&, int);
+template HASHEDOCTREE_WITH_PDEP MortonKey<4> DepositCell<4>(const Cell<4>&, int);
 }

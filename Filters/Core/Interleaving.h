@@ -16,15 +16,13 @@ extern const bool PdepIsFastest;
 /** As InterleaveCell(), by bit deposit; only where HasPdep(). The cell by reference: handed over in
  * registers it would first have to be put together. Instantiated for 1 to 4 dimensions. */
 template <int Dim>
-MortonKey<Dim> DepositCell(const Cell<Dim>& cell);
+MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth);
 
-/** The key at MaxDepth of a cell of MaxDepth: MortonKey::FromCell() by the machine's fastest way.
- */
+/** The key of a cell of the grid at `depth`: MortonKey::FromCell() by the machine's fastest way. */
 template <int Dim>
-MortonKey<Dim> InterleaveCell(const Cell<Dim>& cell)
+MortonKey<Dim> InterleaveCell(const Cell<Dim>& cell, int depth)
 {
-  return PdepIsFastest ? DepositCell<Dim>(cell)
-                       : MortonKey<Dim>::FromCell(cell, MortonKey<Dim>::MaxDepth);
+  return PdepIsFastest ? DepositCell<Dim>(cell, depth) : MortonKey<Dim>::FromCell(cell, depth);
 }
 }
 

@@ -31,8 +31,8 @@ struct NeighborCells
   /** The keys of the cells by corner; Key() where a smaller corner has the same cell. */
   std::array<MortonKey<Dim>, std::size_t(1) << Dim> GetKeys() const
   {
-    const std::uint64_t lower = MortonKey<Dim>::FromCell(this->Lower, this->Depth).GetValue();
-    const std::uint64_t upper = MortonKey<Dim>::FromCell(this->Upper, this->Depth).GetValue();
+    const std::uint64_t lower = InterleaveCell<Dim>(this->Lower, this->Depth).GetValue();
+    const std::uint64_t upper = InterleaveCell<Dim>(this->Upper, this->Depth).GetValue();
     unsigned apart = 0; // The axes along which there are two.
     for (int axis = 0; axis < Dim; ++axis)
     {

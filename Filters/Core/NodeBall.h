@@ -10,21 +10,6 @@
 
 namespace hashedoctree
 {
-/** How a cell lies to a ball, both closed. */
-enum class BallSide
-{
-  Outside,
-  Across,
-  Inside
-};
-
-/** How the children of a cell lie to a ball, one bit for each octant. */
-struct BallSides
-{
-  std::uint32_t Meeting; ///< Across or inside.
-  std::uint32_t Inside;
-};
-
 /**
  * A ball around the center of a node (paper section 3c), in the grid of a tree. Lengths are in half
  * cells of MaxDepth, in which the corners and centers of all nodes are integers, so that what
@@ -40,7 +25,7 @@ public:
 
   /** `radius` in world units, not negative; may be infinite. */
   NodeBall(const Grid<Dim>& grid, Key node, double radius)
-    : Radius(std::ldexp(radius / grid.GetSide(), Key::MaxDepth + 1))
+    : Radius(radius / grid.GetSide() * GetSize(0))
     , Radius2(this->Radius * this->Radius)
     , Depth(node.GetDepth())
   {
@@ -54,63 +39,68 @@ public:
   /** Whether it reaches the border of the node. If not, it meets no other leaf. */
   bool ReachesBorder() const
   {
-    return Square(std::int64_t(1) << (Key::MaxDepth - this->Depth)) <= this->Radius2;
+    const double halfSize = 0.5 * GetSize(this->Depth);
+    return halfSize * halfSize <= this->Radius2;
   }
 
-  BallSide GetSide(const Cell<Dim>& cell, int depth) const
+  /** Whether a cell, its faces included, meets the ball. */
+  bool Meets(const Cell<Dim>& cell, int depth) const
   {
+    const std::int64_t size = std::int64_t(2) << (Key::MaxDepth - depth);
     double nearest2 = 0.0;
-    double farthest2 = 0.0;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const std::int64_t size = std::int64_t(2) << (Key::MaxDepth - depth);
-      const std::int64_t below = this->Center[axis] - cell[axis] * size;
-      const std::int64_t above = size - below;
-      nearest2 += Square(std::max<std::int64_t>({ 0, -below, -above }));
-      farthest2 += Square(std::max(below, above));
+      const std::int64_t lower = cell[axis] * size - this->Center[axis];
+      const auto nearest = static_cast<double>(std::max<std::int64_t>({ 0, lower, -lower - size }));
+      nearest2 += nearest * nearest;
     }
-    return nearest2 > this->Radius2 ? BallSide::Outside
-      : farthest2 > this->Radius2   ? BallSide::Across
-                                    : BallSide::Inside;
+    return nearest2 <= this->Radius2;
   }
 
-  /** How the children of a cell lie to the ball. `depth` is that of the cell. */
-  BallSides GetSidesOfChildren(const Cell<Dim>& cell, int depth) const
+  /** Of the 2^Dim cells of this size around a corner, which is the upper one of the first: those
+   * that meet the ball, one bit for each octant. `lower` is the first one's lower corner, as
+   * GetLower() gives it. */
+  std::uint32_t GetMeetingOctants(const Position<Dim>& lower, double size) const
   {
     // On each axis there are two places only.
     std::array<std::array<double, 2>, Dim> nearest2;
-    std::array<std::array<double, 2>, Dim> farthest2;
-    const std::int64_t size = std::int64_t(1) << (Key::MaxDepth - depth);
     for (int axis = 0; axis < Dim; ++axis)
     {
-      for (std::size_t half = 0; half < 2; ++half)
-      {
-        const std::int64_t below =
-          this->Center[axis] - (2 * std::int64_t(cell[axis]) + std::int64_t(half)) * size;
-        const std::int64_t above = size - below;
-        nearest2[axis][half] = Square(std::max<std::int64_t>({ 0, -below, -above }));
-        farthest2[axis][half] = Square(std::max(below, above));
-      }
+      nearest2[axis] = { GetNearest2(lower[axis], size), GetNearest2(lower[axis] + size, size) };
     }
-    BallSides sides{ 0, 0 };
+    std::uint32_t meeting = 0;
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
     {
-      double near2 = 0.0;
-      double far2 = 0.0;
+      double sum = 0.0;
       for (int axis = 0; axis < Dim; ++axis)
       {
-        const unsigned half = octant >> (Dim - 1 - axis) & 1U;
-        near2 += nearest2[axis][half];
-        far2 += farthest2[axis][half];
+        sum += nearest2[axis][octant >> (Dim - 1 - axis) & 1U];
       }
-      sides.Meeting |= (near2 <= this->Radius2 ? 1U : 0U) << octant;
-      sides.Inside |= (far2 <= this->Radius2 ? 1U : 0U) << octant;
+      meeting |= (sum <= this->Radius2 ? 1U : 0U) << octant;
     }
-    return sides;
+    return meeting;
   }
 
-  /** Cells, 2^Dim at most, that hold all of the ball that is in the root: of the deepest depth
-   * whose cells are as wide. Above the node where the ball reaches its border. */
+  /** The lower corner of a cell, from the center of the ball. Exact. */
+  Position<Dim> GetLower(const Cell<Dim>& cell, int depth) const
+  {
+    Position<Dim> lower;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      lower[axis] = static_cast<double>(
+        (std::int64_t(cell[axis]) << (Key::MaxDepth + 1 - depth)) - this->Center[axis]);
+    }
+    return lower;
+  }
+
+  /** The side of the cells at a depth. */
+  static double GetSize(int depth)
+  {
+    return static_cast<double>(std::int64_t(2) << (Key::MaxDepth - depth));
+  }
+
+  /** Cells, 2^Dim at most, that hold all of the ball that is in the root: of the deepest depth that
+   * has such. Above the node where the ball reaches its border. */
   NeighborCells<Dim> GetCover() const
   {
     constexpr std::int64_t size = std::int64_t(2) << Key::MaxDepth;
@@ -127,7 +117,14 @@ public:
       cells.Upper[axis] = static_cast<std::uint32_t>(upper / 2);
       width |= cells.Upper[axis] - cells.Lower[axis];
     }
-    const int shift = HighestBit(width) + 1;
+    // Cells half as wide as the ball are enough where it does not lie across three of them.
+    const int half = HighestBit(width);
+    std::uint32_t across = 0;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      across |= (cells.Upper[axis] >> half) - (cells.Lower[axis] >> half);
+    }
+    const int shift = half + 1;
     for (int axis = 0; axis < Dim; ++axis)
     {
       cells.Lower[axis] >>= shift;
@@ -138,9 +135,11 @@ public:
   }
 
 private:
-  static double Square(std::int64_t length)
+  /** Square of the distance on one axis to what lies between `lower` and `lower` + `size`. */
+  static double GetNearest2(double lower, double size)
   {
-    return static_cast<double>(length) * static_cast<double>(length);
+    const double nearest = std::max(std::max(lower, -(lower + size)), 0.0);
+    return nearest * nearest;
   }
 
   double Radius;

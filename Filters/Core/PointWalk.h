@@ -43,7 +43,7 @@ public:
       this->Below.ScanLeaf(0, static_cast<PointIndex>(this->Nodes.GetNumberOfPoints()));
       return;
     }
-    const Key key = Key::FromCell(this->Ball.GetHome(), Key::MaxDepth);
+    const Key key = InterleaveCell<Dim>(this->Ball.GetHome(), Key::MaxDepth);
     const int startDepth = this->Starts.Get(key);
     if (startDepth == 0)
     {
@@ -174,7 +174,7 @@ private:
       return;
     }
     const int shift = Key::MaxDepth - depth;
-    const Key key = Key::FromCell(cell, depth);
+    const Key key = InterleaveCell<Dim>(cell, depth);
     if (const Entry* entry = this->Find(key))
     {
       Cell<Dim> inside = cell;

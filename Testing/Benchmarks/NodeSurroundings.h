@@ -77,7 +77,7 @@ public:
 
   bool Meets(const hashedoctree::Cell<Dim>& cell, int depth) const
   {
-    return this->Ball.GetSide(cell, depth) != hashedoctree::BallSide::Outside;
+    return this->Ball.Meets(cell, depth);
   }
 
   /** Depth of the smallest cell that holds all of it that is in the root. */

@@ -173,7 +173,7 @@ private:
 
   static bool Meets(const hashedoctree::NodeBall<Dim>& ball, Key cell)
   {
-    return ball.GetSide(cell.GetCell(), cell.GetDepth()) != hashedoctree::BallSide::Outside;
+    return ball.Meets(cell.GetCell(), cell.GetDepth());
   }
 
   int GetRingDepth(int nodeDepth, double radius) const

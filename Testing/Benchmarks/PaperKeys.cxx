@@ -36,7 +36,13 @@ void MeasureInterleaving(
     } };
   if (hashedoctree::HasPdep())
   {
-    runs.emplace_back([&] { return time(deposited, hashedoctree::DepositCell<3>); });
+    runs.emplace_back(
+      [&]
+      {
+        return time(deposited,
+          [](const hashedoctree::Cell<3>& cell)
+          { return hashedoctree::DepositCell<3>(cell, Key::MaxDepth); });
+      });
   }
   const std::vector<Spread> times = TimeInTurns(runs, cells.size(), repetitions);
   results.Keys.Dilation = times.front();

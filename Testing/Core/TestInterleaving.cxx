@@ -46,7 +46,8 @@ TYPED_TEST(TestInterleaving, FastestWayGivesTheKeysOfDilation)
   constexpr int dim = TypeParam::value;
   for (const Cell<dim>& cell : this->MakeCells())
   {
-    ASSERT_EQ(InterleaveCell<dim>(cell), MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
+    ASSERT_EQ(InterleaveCell<dim>(cell, MortonKey<dim>::MaxDepth),
+      MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
   }
 }
 
@@ -59,7 +60,8 @@ TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
   }
   for (const Cell<dim>& cell : this->MakeCells())
   {
-    ASSERT_EQ(DepositCell<dim>(cell), MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
+    ASSERT_EQ(DepositCell<dim>(cell, MortonKey<dim>::MaxDepth),
+      MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
   }
 }
 

@@ -20,9 +20,8 @@ protected:
     return MortonKey<Dim>(random() >> (63 - Dim * depth) >> 1 | 1ULL << (Dim * depth));
   }
 
-  /** Squared distance from the center of a box to the corner of another that is the nearest on each
-   * axis or the farthest, or to the nearest point in between. */
-  static double GetDist2(const NodeBox<Dim>& from, const NodeBox<Dim>& to, bool farthest)
+  /** Squared distance from the center of a box to the nearest point of another. */
+  static double GetNearest2(const NodeBox<Dim>& from, const NodeBox<Dim>& to)
   {
     double dist2 = 0.0;
     for (int axis = 0; axis < Dim; ++axis)
@@ -30,9 +29,8 @@ protected:
       const std::int64_t center = from.Lower[axis] + from.Upper[axis];
       const auto toLower = static_cast<double>(center - 2 * to.Lower[axis]);
       const auto toUpper = static_cast<double>(2 * to.Upper[axis] - center);
-      const double distance = farthest   ? std::fmax(toLower, toUpper)
-        : toLower < 0.0 || toUpper < 0.0 ? std::fmin(std::abs(toLower), std::abs(toUpper))
-                                         : 0.0;
+      const double distance =
+        toLower < 0.0 || toUpper < 0.0 ? std::fmin(std::abs(toLower), std::abs(toUpper)) : 0.0;
       dist2 += distance * distance;
     }
     return dist2;
@@ -40,7 +38,7 @@ protected:
 };
 TYPED_TEST_SUITE(TestNodeBall, Dimensions);
 
-TYPED_TEST(TestNodeBall, CellsLieAsTheirNearestAndFarthestPoints)
+TYPED_TEST(TestNodeBall, CellsMeetTheBallWithTheirNearestPoints)
 {
   constexpr int dim = TestFixture::Dim;
   using Key = MortonKey<dim>;
@@ -48,7 +46,7 @@ TYPED_TEST(TestNodeBall, CellsLieAsTheirNearestAndFarthestPoints)
   Position<dim> upper;
   upper.fill(4.0); // A power of two, so that radii are exact.
   const Grid<dim> grid(Box<dim>(Position<dim>{}, upper));
-  int sides[3] = {};
+  int numberOfMeeting = 0;
   for (int trial = 0; trial < 20000; ++trial)
   {
     const int depth = static_cast<int>(random() % 6 + 1);
@@ -60,20 +58,17 @@ TYPED_TEST(TestNodeBall, CellsLieAsTheirNearestAndFarthestPoints)
     const double inHalfCells = std::ldexp(radius / 4.0, Key::MaxDepth + 1);
     const double radius2 = inHalfCells * inHalfCells;
     const NodeBall<dim> ball(grid, node, radius);
-    const double nearest2 = this->GetDist2(NodeBox<dim>(node), NodeBox<dim>(other), false);
-    const double farthest2 = this->GetDist2(NodeBox<dim>(node), NodeBox<dim>(other), true);
-    const BallSide expected = nearest2 > radius2 ? BallSide::Outside
-      : farthest2 > radius2                      ? BallSide::Across
-                                                 : BallSide::Inside;
-    ASSERT_EQ(ball.GetSide(other.GetCell(), other.GetDepth()), expected);
+    const bool expected = this->GetNearest2(NodeBox<dim>(node), NodeBox<dim>(other)) <= radius2;
+    ASSERT_EQ(ball.Meets(other.GetCell(), other.GetDepth()), expected);
     ASSERT_EQ(ball.ReachesBorder(), radius >= std::ldexp(2.0, -depth));
-    const BallSides children =
-      ball.GetSidesOfChildren(other.GetParent().GetCell(), other.GetDepth() - 1);
-    ASSERT_EQ(children.Meeting >> other.GetOctant() & 1U, expected != BallSide::Outside ? 1U : 0U);
-    ASSERT_EQ(children.Inside >> other.GetOctant() & 1U, expected == BallSide::Inside ? 1U : 0U);
-    ++sides[static_cast<int>(expected)];
+    const Position<dim> parent = ball.GetLower(other.GetParent().GetCell(), other.GetDepth() - 1);
+    const std::uint32_t octants =
+      ball.GetMeetingOctants(parent, NodeBall<dim>::GetSize(other.GetDepth()));
+    ASSERT_EQ((octants >> other.GetOctant() & 1U) != 0, expected);
+    numberOfMeeting += expected ? 1 : 0;
   }
-  EXPECT_GT(std::min({ sides[0], sides[1], sides[2] }), 500);
+  EXPECT_GT(numberOfMeeting, 500);
+  EXPECT_LT(numberOfMeeting, 19500);
 }
 
 TYPED_TEST(TestNodeBall, TheCoverHoldsWhatMeetsTheBallInCellsAboveTheNode)
@@ -98,7 +93,7 @@ TYPED_TEST(TestNodeBall, TheCoverHoldsWhatMeetsTheBallInCellsAboveTheNode)
     // Cells at most four times as wide as the ball's part in the root, and its rounding.
     ASSERT_LE(grid.GetSide(cover.Depth), 4.0 * radius + 8.0 * grid.GetSide(Key::MaxDepth));
     const Key cell = this->MakeKey(random, Key::MaxDepth);
-    const bool meets = ball.GetSide(cell.GetCell(), Key::MaxDepth) != BallSide::Outside;
+    const bool meets = ball.Meets(cell.GetCell(), Key::MaxDepth);
     for (int axis = 0; axis < dim; ++axis)
     {
       ASSERT_LE(cover.Upper[axis] - cover.Lower[axis], 1U);
