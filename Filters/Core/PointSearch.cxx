@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSearch.h"
 
+#include "ClosestFew.h"
 #include "PointBoxWalk.h"
 #include "PointCollectors.h"
 #include "PointWalk.h"
@@ -78,7 +79,7 @@ void PointSearch<Dim, Real>::FindClosest(
   NoCount nodes;
   if (count <= ClosestFew::MostWanted)
   {
-    ClosestFew closest(count);
+    ClosestFew closest(count, this->Tree.GetKernels().Select);
     SearchPoints<Dim, Real>(this->Tree, x, closest, nodes, count);
     closest.CopyTo(found);
   }

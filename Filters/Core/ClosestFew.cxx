@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClosestFew.h"
+
+#include <algorithm>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace hashedoctree
+{
+ClosestFew::ClosestFew(std::size_t wanted, SelectPoints select, bool useVectors)
+  : Wanted(wanted)
+  , Select(select)
+  , UseVectors(useVectors && wanted <= MostInVectors)
+{
+  if (this->UseVectors)
+  {
+    std::fill_n(this->Dist2, MostInVectors, std::numeric_limits<double>::infinity());
+    std::fill_n(this->Ids, MostInVectors, nullptr);
+  }
+}
+
+void ClosestFew::CopyTo(std::vector<FoundPoint>& found) const
+{
+  found.resize(std::min(this->Size, this->Wanted));
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    found[i] = { this->Dist2[i], *this->Ids[i] };
+  }
+}
+
+#if defined(__x86_64__)
+namespace
+{
+#define HASHEDOCTREE_AVX2 __attribute__((target("avx2")))
+
+/** No less than the eighth of the distances, infinity where there are fewer: the greatest of the
+ * least of eight parts. Behind the last stands infinity until their number is a multiple of 4. */
+HASHEDOCTREE_AVX2 double GetBoundOfEight(const double* dist2, std::size_t count)
+{
+  __m256d a = _mm256_set1_pd(std::numeric_limits<double>::infinity());
+  __m256d b = a;
+  for (std::size_t i = 0; i < count; i += 8)
+  {
+    a = _mm256_min_pd(a, _mm256_loadu_pd(dist2 + i));
+    b = i + 4 < count ? _mm256_min_pd(b, _mm256_loadu_pd(dist2 + i + 4)) : b;
+  }
+  const __m256d four = _mm256_max_pd(a, b);
+  const __m128d two = _mm_max_pd(_mm256_castpd256_pd128(four), _mm256_extractf128_pd(four, 1));
+  return std::max(_mm_cvtsd_f64(two), _mm_cvtsd_f64(_mm_unpackhi_pd(two, two)));
+}
+
+/** Eight distances and, as bits of a double, the addresses of the ids. */
+struct Row
+{
+  __m256d Dist2[2];
+  __m256d Ids[2];
+
+  HASHEDOCTREE_AVX2 void Load(const double* dist2, const PointIndex* const* ids)
+  {
+    for (int half = 0; half < 2; ++half)
+    {
+      this->Dist2[half] = _mm256_loadu_pd(dist2 + 4 * half);
+      this->Ids[half] = _mm256_loadu_pd(reinterpret_cast<const double*>(ids + 4 * half));
+    }
+  }
+  HASHEDOCTREE_AVX2 void Store(double* dist2, const PointIndex** ids) const
+  {
+    for (int half = 0; half < 2; ++half)
+    {
+      _mm256_storeu_pd(dist2 + 4 * half, this->Dist2[half]);
+      _mm256_storeu_pd(reinterpret_cast<double*>(ids + 4 * half), this->Ids[half]);
+    }
+  }
+  HASHEDOCTREE_AVX2 bool Holds(__m256d dist2) const
+  {
+    const __m256d same = _mm256_or_pd(_mm256_cmp_pd(this->Dist2[0], dist2, _CMP_EQ_OQ),
+      _mm256_cmp_pd(this->Dist2[1], dist2, _CMP_EQ_OQ));
+    return _mm256_movemask_pd(same) != 0;
+  }
+  /** The one before each: `first`, and then all but the last. */
+  HASHEDOCTREE_AVX2 static void Shift(const __m256d* values, __m256d first, __m256d* before)
+  {
+    constexpr int up = 0x90;     // 0, 0, 1, 2
+    constexpr int turned = 0x93; // 3, 0, 1, 2
+    before[0] = _mm256_blend_pd(_mm256_permute4x64_pd(values[0], up), first, 1);
+    before[1] = _mm256_blend_pd(
+      _mm256_permute4x64_pd(values[1], up), _mm256_permute4x64_pd(values[0], turned), 1);
+  }
+  /** A distance that none of them equals. What is farther moves on by one place, the last is
+   * lost. */
+  HASHEDOCTREE_AVX2 void Insert(__m256d dist2, __m256d id)
+  {
+    __m256d dist2Before[2];
+    __m256d idsBefore[2];
+    Shift(this->Dist2, _mm256_set1_pd(-1.0), dist2Before);
+    Shift(this->Ids, id, idsBefore);
+    for (int half = 0; half < 2; ++half)
+    {
+      const __m256d moves = _mm256_cmp_pd(this->Dist2[half], dist2, _CMP_GT_OQ);
+      const __m256d isPassed = _mm256_cmp_pd(dist2Before[half], dist2, _CMP_GT_OQ);
+      this->Ids[half] =
+        _mm256_blendv_pd(this->Ids[half], _mm256_blendv_pd(id, idsBefore[half], isPassed), moves);
+      this->Dist2[half] = _mm256_min_pd(this->Dist2[half], _mm256_max_pd(dist2Before[half], dist2));
+    }
+  }
+};
+}
+
+bool ClosestFew::HasVectors()
+{
+  static const bool hasVectors = __builtin_cpu_supports("avx2") != 0;
+  return hasVectors;
+}
+
+HASHEDOCTREE_AVX2 void ClosestFew::AddWithVectors(
+  const double* dist2, const PointIndex* ids, std::size_t count)
+{
+  const double limit = this->Size < this->Wanted ? GetBoundOfEight(dist2, count) : this->Bound2;
+  Row row;
+  row.Load(this->Dist2, this->Ids);
+  for (std::uint64_t places = this->Select(dist2, count, limit); places != 0; places &= places - 1)
+  {
+    const auto place = static_cast<unsigned>(__builtin_ctzll(places));
+    const __m256d here = _mm256_broadcast_sd(dist2 + place);
+    if (row.Holds(here))
+    {
+      row.Store(this->Dist2, this->Ids);
+      this->Insert(dist2[place], ids + place, MostInVectors);
+      row.Load(this->Dist2, this->Ids);
+      continue;
+    }
+    const auto id = reinterpret_cast<std::intptr_t>(ids + place);
+    row.Insert(here, _mm256_castsi256_pd(_mm256_set1_epi64x(id)));
+    this->Size += this->Size < MostInVectors ? 1 : 0;
+  }
+  row.Store(this->Dist2, this->Ids);
+  this->SetBound();
+}
+#else
+bool ClosestFew::HasVectors()
+{
+  return false;
+}
+
+void ClosestFew::AddWithVectors(const double*, const PointIndex*, std::size_t) {}
+#endif
+}
