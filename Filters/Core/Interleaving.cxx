@@ -20,8 +20,10 @@ bool HasPdep()
 const bool PdepIsFastest = HasPdep() && !__builtin_cpu_is("znver1") &&
   !__builtin_cpu_is("znver2") && !__builtin_cpu_is("bdver4");
 
+namespace
+{
 template <int Dim>
-HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)
+HASHEDOCTREE_WITH_PDEP inline MortonKey<Dim> Deposit(const Cell<Dim>& cell, int depth)
 {
   constexpr std::uint64_t lowestAxis = Dilation<Dim>::Mask(1);
   std::uint64_t value = std::uint64_t(1) << (Dim * depth);
@@ -31,6 +33,17 @@ HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int dep
   }
   return MortonKey<Dim>(value);
 }
+
+template <int Dim>
+HASHEDOCTREE_WITH_PDEP void DepositCells(
+  const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    keys[i] = Deposit<Dim>(cells[i], MortonKey<Dim>::MaxDepth);
+  }
+}
+}
 #else
 bool HasPdep()
 {
@@ -39,16 +52,48 @@ bool HasPdep()
 
 const bool PdepIsFastest = false;
 
+namespace
+{
 template <int Dim>
-MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)
+MortonKey<Dim> Deposit(const Cell<Dim>& cell, int depth)
 {
   return MortonKey<Dim>::FromCell(cell, depth);
 }
+
+template <int Dim>
+void DepositCells(const Cell<Dim>*, std::size_t, MortonKey<Dim>*)
+{
+}
+}
 #endif
 
+template <int Dim>
+HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)
+{
+  return Deposit<Dim>(cell, depth);
+}
+
+template <int Dim>
+void InterleaveCells(const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
+{
+  if (PdepIsFastest)
+  {
+    DepositCells<Dim>(cells, count, keys);
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    keys[i] = MortonKey<Dim>::FromCell(cells[i], MortonKey<Dim>::MaxDepth);
+  }
+}
+
 // GCC takes the attribute of an explicit instantiation, not that of the template.
-template HASHEDOCTREE_WITH_PDEP MortonKey<1> DepositCell<1>(const Cell<1>&, int);
-template HASHEDOCTREE_WITH_PDEP MortonKey<2> DepositCell<2>(const Cell<2>&, int);
-template HASHEDOCTREE_WITH_PDEP MortonKey<3> DepositCell<3>(const Cell<3>&, int);
-template HASHEDOCTREE_WITH_PDEP MortonKey<4> DepositCell<4>(const Cell<4>&, int);
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell<Dim>(const Cell<Dim>&, int);          \
+  template void InterleaveCells<Dim>(const Cell<Dim>*, std::size_t, MortonKey<Dim>*);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -10,22 +10,37 @@ Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& s
   const Grid<Dim>& grid, const Execution& execution)
 {
   constexpr std::size_t chunkSize = PointSelection<Dim>::ChunkSize;
+  constexpr std::size_t blockSize = 128; // Cells and keys of a block stay in the first cache.
   Buffer<CodedPoint<Dim>> coded(selection.GetNumberOfPoints());
 
   const std::size_t numberOfChunks = (points.Count + chunkSize - 1) / chunkSize;
   execution.For(numberOfChunks, 1,
     [&](std::size_t firstChunk, std::size_t lastChunk)
     {
+      std::array<Cell<Dim>, blockSize> cells;
+      std::array<MortonKey<Dim>, blockSize> keys;
       std::size_t next = selection.GetFirstOfChunk(firstChunk);
       const std::size_t last = std::min(points.Count, lastChunk * chunkSize);
-      for (std::size_t i = firstChunk * chunkSize; i < last; ++i)
+      for (std::size_t block = firstChunk * chunkSize; block < last; block += blockSize)
       {
-        const auto x = points[i];
-        if (selection.Keeps(x))
+        const std::size_t end = std::min(last, block + blockSize);
+        std::size_t kept = 0;
+        for (std::size_t i = block; i < end; ++i)
         {
-          coded[next] = { grid.GetKey(x), static_cast<PointIndex>(i) };
-          ++next;
+          const auto x = points[i];
+          if (selection.Keeps(x))
+          {
+            coded[next + kept].Id = static_cast<PointIndex>(i);
+            cells[kept] = grid.GetCell(x);
+            ++kept;
+          }
         }
+        InterleaveCells<Dim>(cells.data(), kept, keys.data());
+        for (std::size_t i = 0; i < kept; ++i)
+        {
+          coded[next + i].Key = keys[i];
+        }
+        next += kept;
       }
     });
   return coded;
