@@ -33,11 +33,11 @@ void ClosestFew::CopyTo(std::vector<FoundPoint>& found) const
 #if defined(__x86_64__)
 namespace
 {
-#define HASHEDOCTREE_AVX2 __attribute__((target("avx2")))
+#define HASHEDOCTREE_WITH_AVX2 __attribute__((target("avx2")))
 
 /** No less than the eighth of the distances, infinity where there are fewer: the greatest of the
  * least of eight parts. Behind the last stands infinity until their number is a multiple of 4. */
-HASHEDOCTREE_AVX2 double GetBoundOfEight(const double* dist2, std::size_t count)
+HASHEDOCTREE_WITH_AVX2 double GetBoundOfEight(const double* dist2, std::size_t count)
 {
   __m256d a = _mm256_set1_pd(std::numeric_limits<double>::infinity());
   __m256d b = a;
@@ -57,7 +57,7 @@ struct Row
   __m256d Dist2[2];
   __m256d Ids[2];
 
-  HASHEDOCTREE_AVX2 void Load(const double* dist2, const PointIndex* const* ids)
+  HASHEDOCTREE_WITH_AVX2 void Load(const double* dist2, const PointIndex* const* ids)
   {
     for (int half = 0; half < 2; ++half)
     {
@@ -65,7 +65,7 @@ struct Row
       this->Ids[half] = _mm256_loadu_pd(reinterpret_cast<const double*>(ids + 4 * half));
     }
   }
-  HASHEDOCTREE_AVX2 void Store(double* dist2, const PointIndex** ids) const
+  HASHEDOCTREE_WITH_AVX2 void Store(double* dist2, const PointIndex** ids) const
   {
     for (int half = 0; half < 2; ++half)
     {
@@ -73,14 +73,14 @@ struct Row
       _mm256_storeu_pd(reinterpret_cast<double*>(ids + 4 * half), this->Ids[half]);
     }
   }
-  HASHEDOCTREE_AVX2 bool Holds(__m256d dist2) const
+  HASHEDOCTREE_WITH_AVX2 bool Holds(__m256d dist2) const
   {
     const __m256d same = _mm256_or_pd(_mm256_cmp_pd(this->Dist2[0], dist2, _CMP_EQ_OQ),
       _mm256_cmp_pd(this->Dist2[1], dist2, _CMP_EQ_OQ));
     return _mm256_movemask_pd(same) != 0;
   }
   /** The one before each: `first`, and then all but the last. */
-  HASHEDOCTREE_AVX2 static void Shift(const __m256d* values, __m256d first, __m256d* before)
+  HASHEDOCTREE_WITH_AVX2 static void Shift(const __m256d* values, __m256d first, __m256d* before)
   {
     constexpr int up = 0x90;     // 0, 0, 1, 2
     constexpr int turned = 0x93; // 3, 0, 1, 2
@@ -90,7 +90,7 @@ struct Row
   }
   /** A distance that none of them equals. What is farther moves on by one place, the last is
    * lost. */
-  HASHEDOCTREE_AVX2 void Insert(__m256d dist2, __m256d id)
+  HASHEDOCTREE_WITH_AVX2 void Insert(__m256d dist2, __m256d id)
   {
     __m256d dist2Before[2];
     __m256d idsBefore[2];
@@ -114,7 +114,7 @@ bool ClosestFew::HasVectors()
   return hasVectors;
 }
 
-HASHEDOCTREE_AVX2 void ClosestFew::AddWithVectors(
+HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddWithVectors(
   const double* dist2, const PointIndex* ids, std::size_t count)
 {
   const double limit = this->Size < this->Wanted ? GetBoundOfEight(dist2, count) : this->Bound2;

@@ -33,16 +33,6 @@ HASHEDOCTREE_WITH_PDEP inline MortonKey<Dim> Deposit(const Cell<Dim>& cell, int 
   }
   return MortonKey<Dim>(value);
 }
-
-template <int Dim>
-HASHEDOCTREE_WITH_PDEP void DepositCells(
-  const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    keys[i] = Deposit<Dim>(cells[i], MortonKey<Dim>::MaxDepth);
-  }
-}
 }
 #else
 bool HasPdep()
@@ -59,13 +49,21 @@ MortonKey<Dim> Deposit(const Cell<Dim>& cell, int depth)
 {
   return MortonKey<Dim>::FromCell(cell, depth);
 }
-
-template <int Dim>
-void DepositCells(const Cell<Dim>*, std::size_t, MortonKey<Dim>*)
-{
-}
 }
 #endif
+
+namespace
+{
+template <int Dim>
+HASHEDOCTREE_WITH_PDEP void DepositCells(
+  const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    keys[i] = Deposit<Dim>(cells[i], MortonKey<Dim>::MaxDepth);
+  }
+}
+}
 
 template <int Dim>
 HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)

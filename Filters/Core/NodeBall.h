@@ -99,8 +99,8 @@ public:
     return static_cast<double>(std::int64_t(2) << (Key::MaxDepth - depth));
   }
 
-  /** Cells, 2^Dim at most, that hold all of the ball that is in the root: of the deepest depth that
-   * has such. Above the node where the ball reaches its border. */
+  /** Cells, 2^Dim at most, that hold all of the ball that is in the root: of the deepest depth
+   * whose cells are as wide. Above the node where the ball reaches its border. */
   NeighborCells<Dim> GetCover() const
   {
     constexpr std::int64_t size = std::int64_t(2) << Key::MaxDepth;
@@ -117,14 +117,7 @@ public:
       cells.Upper[axis] = static_cast<std::uint32_t>(upper / 2);
       width |= cells.Upper[axis] - cells.Lower[axis];
     }
-    // Cells half as wide as the ball are enough where it does not lie across three of them.
-    const int half = HighestBit(width);
-    std::uint32_t across = 0;
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      across |= (cells.Upper[axis] >> half) - (cells.Lower[axis] >> half);
-    }
-    const int shift = half + 1;
+    const int shift = HighestBit(width) + 1;
     for (int axis = 0; axis < Dim; ++axis)
     {
       cells.Lower[axis] >>= shift;

@@ -38,16 +38,35 @@ public:
     }
     return cells;
   }
+
+  /** Calls function(cell, depth) for a cell of MaxDepth and those around it at all other depths. */
+  template <typename Function>
+  static void ForEachDepth(Cell<Dim> cell, const Function& function)
+  {
+    for (int depth = Key::MaxDepth; depth >= 0; --depth)
+    {
+      function(cell, depth);
+      for (std::uint32_t& coordinate : cell)
+      {
+        coordinate >>= 1;
+      }
+    }
+  }
 };
 TYPED_TEST_SUITE(TestInterleaving, Dimensions);
 
 TYPED_TEST(TestInterleaving, FastestWayGivesTheKeysOfDilation)
 {
   constexpr int dim = TypeParam::value;
-  for (const Cell<dim>& cell : this->MakeCells())
+  const std::vector<Cell<dim>> cells = this->MakeCells();
+  std::vector<MortonKey<dim>> keys(cells.size());
+  InterleaveCells<dim>(cells.data(), cells.size(), keys.data());
+  for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    ASSERT_EQ(InterleaveCell<dim>(cell, MortonKey<dim>::MaxDepth),
-      MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
+    ASSERT_EQ(keys[i], MortonKey<dim>::FromCell(cells[i], MortonKey<dim>::MaxDepth));
+    this->ForEachDepth(cells[i],
+      [](const Cell<dim>& cell, int depth)
+      { ASSERT_EQ(InterleaveCell<dim>(cell, depth), MortonKey<dim>::FromCell(cell, depth)); });
   }
 }
 
@@ -60,8 +79,9 @@ TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
   }
   for (const Cell<dim>& cell : this->MakeCells())
   {
-    ASSERT_EQ(DepositCell<dim>(cell, MortonKey<dim>::MaxDepth),
-      MortonKey<dim>::FromCell(cell, MortonKey<dim>::MaxDepth));
+    this->ForEachDepth(cell,
+      [](const Cell<dim>& ancestor, int depth)
+      { ASSERT_EQ(DepositCell<dim>(ancestor, depth), MortonKey<dim>::FromCell(ancestor, depth)); });
   }
 }
 
