@@ -65,7 +65,8 @@ public:
 private:
   static constexpr std::size_t MostToKeep = 65536;
 
-  static std::vector<T>& GetOfThread()
+  // Where it is inlined, compilers look for the thread's memory at every use.
+  [[gnu::noinline]] static std::vector<T>& GetOfThread()
   {
     thread_local std::vector<T> values;
     return values;

@@ -97,17 +97,6 @@ public:
   /** From now on leaves out a block: all of it has been searched. */
   void LeaveOutBlock(std::uint32_t block) { this->SearchedBlock = this->Tree.GetFork(block); }
 
-  /** Whether the ball reaches into the box of any child of the root, which must be internal. */
-  bool ReachesPoints() const
-  {
-    const Place place = this->GetPlace(Cell<Dim>{}, 0);
-    float nearDist2[NumberOfOctants];
-    double farDist2[NumberOfOctants];
-    return (this->Tree.GetOctree().GetBlock(0).Occupied &
-             (place.IsNear() ? this->Measure(0, place, nearDist2)
-                             : this->Measure(0, place, farDist2))) != 0;
-  }
-
 private:
   using Key = MortonKey<Dim>;
   using Place = PlaceInBlock<Dim, Real>;

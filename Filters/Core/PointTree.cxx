@@ -58,6 +58,10 @@ PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelectio
 {
   this->CopyCoordinates(points, execution.Part(0.6, 0.8));
   this->MeasureBoxes(execution.Part(0.8, 0.9));
+  if (this->Tree.IsRootInternal())
+  {
+    this->Free = FreeSpace<Dim>(this->Tree, this->Boxes);
+  }
   this->BuildNested(points, execution.Part(0.9, 1.0));
 }
 
@@ -76,7 +80,7 @@ std::size_t PointTree<Dim, Real>::GetBytes() const
 {
   std::size_t bytes = this->Tree.GetTreeBytes() + this->Tree.GetOrderBytes() +
     this->OwnIds.GetBytes() + this->Boxes.GetBytes() + this->Forks.GetBytes() +
-    this->OwnCoordinates.GetBytes();
+    this->Free.GetBytes() + this->OwnCoordinates.GetBytes();
   for (const Nested& nested : this->NestedTrees)
   {
     bytes += sizeof(Nested) + nested.Points.GetBytes();

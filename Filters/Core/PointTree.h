@@ -3,6 +3,7 @@
 #define hashedoctree_PointTree_h
 
 #include "DistanceKernels.h"
+#include "FreeSpace.h"
 #include "Octree.h"
 #include "StartDepths.h"
 
@@ -43,6 +44,8 @@ public:
   /** Chooses anew where searches start, in nested trees too. */
   void SetStartDepths(const StartDepthOptions& options);
   const StartDepths<Dim>& GetStartDepths() const { return this->Starts; }
+
+  const FreeSpace<Dim>& GetFreeSpace() const { return this->Free; }
 
   /** Coordinates of the points of a leaf, given where its range begins: axis after axis, so that
    * the points of a leaf are near each other in memory and of one kind in a vector. No meaning for
@@ -100,6 +103,7 @@ private:
   Real* Coordinates = nullptr; ///< Own ones; a nested tree's are in place of its leaf's.
   Buffer<ChildBoxes<Dim>> Boxes;
   Buffer<std::uint32_t> Forks;
+  FreeSpace<Dim> Free;
   std::vector<Nested> NestedTrees; ///< By FirstPoint.
   const DistanceKernels<Dim, Real>* Kernels = &GetDistanceKernels<Dim, Real>();
 };

@@ -26,6 +26,7 @@ public:
   PointWalk(
     const PointTree<Dim, Real>& tree, const Position<Dim>& x, Collector& collector, Count& count)
     : Starts(tree.GetStartDepths())
+    , Free(tree.GetFreeSpace())
     , Nodes(tree.GetOctree())
     , Points(collector)
     , Examined(count)
@@ -42,6 +43,14 @@ public:
       this->Examined.AddNode();
       this->Below.ScanLeaf(0, static_cast<PointIndex>(this->Nodes.GetNumberOfPoints()));
       return;
+    }
+    if (Collector::HasFixedBall || this->Points.GetBound2() < Infinity)
+    {
+      this->Ball.SetRadius2(this->Points.GetBound2());
+      if (this->Free.Holds(this->Ball))
+      {
+        return;
+      }
     }
     const Key key = InterleaveCell<Dim>(this->Ball.GetHome(), Key::MaxDepth);
     const int startDepth = this->Starts.Get(key);
@@ -64,14 +73,10 @@ private:
   using Block = typename Octree<Dim>::Block;
   using Entry = typename Octree<Dim>::Entry;
   static constexpr unsigned NumberOfOctants = Octree<Dim>::NumberOfOctants;
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
 
   void SearchFixedBall(Key key, int startDepth)
   {
-    if (!this->Below.ReachesPoints())
-    {
-      return;
-    }
-    this->Ball.SetRadius2(this->Points.GetBound2());
     const FoundLeaf<Dim> leaf =
       FindLeaf(this->Nodes, key, std::min(startDepth, this->Ball.GetCoverDepth()), this->Examined);
     const int depth = leaf.Key.GetDepth();
@@ -220,6 +225,7 @@ private:
   }
 
   const StartDepths<Dim>& Starts;
+  const FreeSpace<Dim>& Free;
   const Octree<Dim>& Nodes;
   Collector& Points;
   Count& Examined;

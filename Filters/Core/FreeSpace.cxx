@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FreeSpace.h"
+
+namespace hashedoctree
+{
+template <int Dim>
+FreeSpace<Dim>::FreeSpace(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes)
+  : Depth(std::min(HighestBit(tree.GetNumberOfPoints()) / Dim, MostDepth))
+  , CellsToPoints(std::size_t(1) << (Dim * this->Depth), 0)
+{
+  CellSet reached = this->GetOccupied(tree, boxes);
+  for (std::uint8_t steps = 1;; ++steps)
+  {
+    CellSet grown = reached;
+    this->Grow(grown);
+    if (grown == reached)
+    {
+      return;
+    }
+    for (std::size_t row = 0; row < grown.size(); ++row)
+    {
+      for (std::uint64_t next = grown[row] & ~reached[row]; next != 0; next &= next - 1)
+      {
+        const auto place = static_cast<std::size_t>(__builtin_ctzll(next));
+        this->CellsToPoints[row << this->Depth | place] = steps;
+      }
+    }
+    reached.swap(grown);
+  }
+}
+
+/** The cells that the box of some node reaches into: of a node at Depth, or a leaf above. */
+template <int Dim>
+typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
+  const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes) const
+{
+  CellSet cells(std::size_t(1) << ((Dim - 1) * this->Depth), 0);
+  for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
+  {
+    const Key key = tree.GetBlockKey(block);
+    const int levels = this->Depth - key.GetDepth();
+    if (levels <= 0)
+    {
+      break;
+    }
+    const auto& children = tree.GetBlock(block);
+    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+    {
+      const bool isLeaf = (children.Internal >> octant & 1U) == 0;
+      if ((children.Occupied >> octant & 1U) == 0 || (!isLeaf && levels > 1))
+      {
+        continue;
+      }
+      Cell<Dim> lower = key.GetCell();
+      Cell<Dim> upper = lower;
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        constexpr std::uint32_t steps = ChildBoxes<Dim>::Steps;
+        const std::uint32_t first = lower[axis] * steps + boxes[block].Lower[axis][octant];
+        const std::uint32_t last = upper[axis] * steps + boxes[block].Upper[axis][octant];
+        lower[axis] = (first << levels) / steps;
+        upper[axis] = (((last + 1) << levels) - 1) / steps;
+      }
+      this->AddCells(lower, upper, cells);
+    }
+  }
+  return cells;
+}
+
+/** Adds the cells between two corners, both of them included. */
+template <int Dim>
+void FreeSpace<Dim>::AddCells(const Cell<Dim>& lower, const Cell<Dim>& upper, CellSet& cells) const
+{
+  const std::uint64_t places =
+    (~std::uint64_t(0) >> (63 - upper[Dim - 1])) & (~std::uint64_t(0) << lower[Dim - 1]);
+  Cell<Dim> cell = lower;
+  for (;;)
+  {
+    std::size_t row = 0;
+    for (int axis = 0; axis < Dim - 1; ++axis)
+    {
+      row = row << this->Depth | cell[axis];
+    }
+    cells[row] |= places;
+    int axis = Dim - 2;
+    while (axis >= 0 && cell[axis] == upper[axis])
+    {
+      cell[axis] = lower[axis];
+      --axis;
+    }
+    if (axis < 0)
+    {
+      return;
+    }
+    ++cell[axis];
+  }
+}
+
+/** Adds all cells around those of a set, those at edges and corners included. */
+template <int Dim>
+void FreeSpace<Dim>::Grow(CellSet& cells) const
+{
+  const std::uint64_t row = ~std::uint64_t(0) >> (64 - (std::size_t(1) << this->Depth));
+  for (std::uint64_t& places : cells)
+  {
+    places |= (places << 1 | places >> 1) & row;
+  }
+  // Axis by axis: what has grown along one grows along the next.
+  for (std::size_t stride = 1; stride < cells.size(); stride <<= this->Depth)
+  {
+    const CellSet before = cells;
+    const std::size_t layer = stride << this->Depth;
+    for (std::size_t first = 0; first < cells.size(); first += layer)
+    {
+      for (std::size_t i = first + stride; i < first + layer; ++i)
+      {
+        cells[i] |= before[i - stride];
+        cells[i - stride] |= before[i];
+      }
+    }
+  }
+}
+
+template class FreeSpace<1>;
+template class FreeSpace<2>;
+template class FreeSpace<3>;
+template class FreeSpace<4>;
+}

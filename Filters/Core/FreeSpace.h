@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_FreeSpace_h
+#define hashedoctree_FreeSpace_h
+
+#include "BallInGrid.h"
+#include "Buffer.h"
+#include "DistanceKernels.h"
+#include "Octree.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace hashedoctree
+{
+/**
+ * Where a tree has no points: for each cell of a coarse grid, how many cells away the nearest one
+ * that may hold points lies. A ball far from all points is known to hold none by one look, however
+ * deep the tree is there.
+ *
+ * Immutable; thread safe.
+ */
+template <int Dim>
+class FreeSpace
+{
+public:
+  /** Depth of the coarse cells: at most 2^15 of them, one byte each, and no more than points. */
+  static constexpr int MostDepth = std::min(15 / Dim, 6);
+
+  /** Nowhere. */
+  FreeSpace() = default;
+  /** Of a tree whose root is internal, with the boxes of its blocks' children. O(coarse cells). */
+  FreeSpace(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes);
+
+  /** Whether no point of the tree can be in a ball. It may have none even if not. */
+  bool Holds(const BallInGrid<Dim>& ball) const
+  {
+    const int shift = Key::MaxDepth - this->Depth;
+    std::size_t cell = 0;
+    std::uint32_t reach = 0;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const std::uint32_t home = ball.GetHome()[axis] >> shift;
+      cell = cell << this->Depth | home;
+      reach = std::max(reach, home - (ball.GetLower()[axis] >> shift));
+      reach = std::max(reach, (ball.GetUpper()[axis] >> shift) - home);
+    }
+    return reach < this->CellsToPoints[cell];
+  }
+
+  std::size_t GetBytes() const { return this->CellsToPoints.size(); }
+
+private:
+  using Key = MortonKey<Dim>;
+  /** Whether each cell is in some set. A row of cells along the last axis is a word, whose bit 0 is
+   * its first cell; rows are in order of the other axes, the first one changing slowest. */
+  using CellSet = std::vector<std::uint64_t>;
+
+  CellSet GetOccupied(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes) const;
+  void AddCells(const Cell<Dim>& lower, const Cell<Dim>& upper, CellSet& cells) const;
+  void Grow(CellSet& cells) const;
+
+  int Depth = 0;
+  std::vector<std::uint8_t> CellsToPoints = { 0 }; ///< In the order of the axes, too.
+};
+}
+
+#endif
