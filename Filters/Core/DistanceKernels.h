@@ -34,10 +34,9 @@ struct DistanceKernels
   static constexpr std::size_t MostPoints = 64; ///< That ToPoints() takes at a time.
   static constexpr std::size_t Padding = 3;     ///< Coordinates that must exist beyond the last.
 
-  /** Squared distances from x to `count` points, of which the coordinates on one axis stand side by
-   * side, and those on the next axis `stride` further: the sum of squared differences in double,
-   * axis by axis in order. `dist2` has room for MostPoints. Returns the least of them, infinity
-   * where there is none. */
+  /** Squared distances from x to `count` points, at least one, whose coordinates on one axis stand
+   * side by side, and those on the next axis `stride` further: the sum of squared differences in
+   * double, axis by axis in order. `dist2` has room for MostPoints. Returns the least of them. */
   double (*ToPoints)(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2);
 
