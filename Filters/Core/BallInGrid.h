@@ -58,6 +58,26 @@ public:
     this->CoverDepth = Key::MaxDepth - CountBits(width);
   }
 
+  /** Whether a ball with this radius surely lies in the cell of a depth around the center. Faster
+   * than to give the ball the radius, and no more often wrong than rounding asks for, but for balls
+   * that reach out of the root. */
+  bool FitsInCell(int depth, double radius2) const
+  {
+    const int shift = Key::MaxDepth - depth;
+    const auto side = static_cast<double>(std::uint64_t(1) << shift);
+    double margin = side;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const auto lower = static_cast<double>(this->Home[axis] >> shift << shift);
+      const double toLower = this->Place[axis] - lower;
+      margin = std::min(margin, std::min(toLower, side - toLower));
+    }
+    margin -= 2.0 * Rounding + RelativeRounding * (side + this->Farthest);
+    const double scale = this->CellsPerLength * this->CellsPerLength;
+    return margin > 0.0 && 1.0 / MostExact < scale && scale < MostExact &&
+      (radius2 + Underflow) * scale < margin * margin * (1.0 - RelativeRounding);
+  }
+
   /** Depth of the smallest cell that holds the ball. */
   int GetDepth() const { return this->Depth; }
   /** The deepest depth whose cells are as wide as the ball, so that 2^Dim of them cover it. */
@@ -70,6 +90,7 @@ private:
   // More than rounding does to a place in the root, and to one further away beside its distance.
   static constexpr double Rounding = 1e-9;
   static constexpr double RelativeRounding = 1e-12;
+  static constexpr double MostExact = 1e280; ///< Squared lengths of such a ratio are exact.
   static constexpr double Size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
 
   // The cell at a place, or nearest to it; where the place is no number, the first, or the last.

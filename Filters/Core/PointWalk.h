@@ -98,6 +98,10 @@ private:
     if (parent.FirstPoint[octant + 1] - parent.FirstPoint[octant] >= wanted)
     {
       this->Below.ScanChild(parent, octant);
+      if (this->Ball.FitsInCell(depth, this->Points.GetBound2()))
+      {
+        return;
+      }
       this->Ball.SetRadius2(this->Points.GetBound2());
       if (this->Ball.GetDepth() >= depth)
       {

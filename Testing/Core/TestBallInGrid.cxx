@@ -84,6 +84,61 @@ TYPED_TEST(TestBallInGrid, DepthsAreTheDeepest)
   expectDepths(INFINITY, 0, 0);
 }
 
+TYPED_TEST(TestBallInGrid, FitsInTheCellsThatHoldIt)
+{
+  constexpr int dim = TypeParam::value;
+  std::mt19937_64 random(172);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const double side : { 1e-300, 1e-150, 1.0, 1e30, 1e160, 1e300 })
+  {
+    Position<dim> upper;
+    upper.fill(side);
+    const Grid<dim> grid(Box<dim>(Position<dim>{}, upper));
+    int fitting = 0;
+    for (int trial = 0; trial < 500; ++trial)
+    {
+      Position<dim> center;
+      for (double& x : center)
+      {
+        x = side * (1.2 * uniform(random) - 0.1);
+      }
+      BallInGrid<dim> ball(grid, center);
+      const double radius = side * std::pow(0.1, 1.0 + 8.0 * uniform(random));
+      ball.SetRadius2(radius * radius);
+      const int depth = trial % 10;
+      if (ball.FitsInCell(depth, radius * radius))
+      {
+        ++fitting;
+        ASSERT_GE(ball.GetDepth(), depth);
+      }
+    }
+    const bool isExact = side > 1e-130 && side < 1e140;
+    EXPECT_EQ(fitting > 50, isExact) << side;
+  }
+
+  // Around the middle of a cell of depth 3, and near each of its faces.
+  Position<dim> upper;
+  upper.fill(1.0);
+  const Grid<dim> grid(Box<dim>(Position<dim>{}, upper));
+  Position<dim> center;
+  center.fill(5.0 / 16.0);
+  const auto fits = [&](double radius)
+  { return BallInGrid<dim>(grid, center).FitsInCell(3, radius * radius); };
+  EXPECT_TRUE(fits(0.99 / 16.0));
+  EXPECT_FALSE(fits(1.01 / 16.0));
+  EXPECT_FALSE(fits(INFINITY));
+  for (int axis = 0; axis < dim; ++axis)
+  {
+    for (const double offset : { -0.5, 0.5 })
+    {
+      center[axis] = (5.0 + offset) / 16.0;
+      EXPECT_TRUE(fits(0.49 / 16.0));
+      EXPECT_FALSE(fits(0.51 / 16.0));
+    }
+    center[axis] = 5.0 / 16.0;
+  }
+}
+
 TYPED_TEST(TestBallInGrid, WhatIsNoNumberReachesEverywhere)
 {
   constexpr int dim = TypeParam::value;
