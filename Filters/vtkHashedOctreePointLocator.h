@@ -96,7 +96,7 @@ public:
   };
 
   ///@{
-  /** Points that a leaf above MaxDepth may hold. At least 1; default 48. */
+  /** Points that a leaf above MaxDepth may hold. At least 1; default 64. */
   vtkSetClampMacro(MaxPointsPerLeaf, int, 1, VTK_INT_MAX);
   vtkGetMacro(MaxPointsPerLeaf, int);
   ///@}
@@ -246,7 +246,7 @@ private:
   void SetStartDepthProperty(int& property, int value);
   void ChooseStartDepths();
 
-  int MaxPointsPerLeaf = 48;
+  int MaxPointsPerLeaf = 64;
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;

@@ -4,6 +4,7 @@
 #
 # Installs what is missing and builds. A second run with nothing to do takes a second.
 #   Plugin/setup.sh [--tests] [--benchmarks]     the plugin and the Python package, in build/
+#   Plugin/setup.sh --vtk [--tests] [--benchmarks]   the library for Debian's own VTK, in build/vtk
 #   Plugin/setup.sh --sanitize address|thread    the tests with a sanitizer, in build/asan or build/tsan
 #   Plugin/setup.sh --fuzz                       the fuzzer, in build/fuzz
 set -euo pipefail
@@ -18,6 +19,7 @@ packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libd
 test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
 benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
 fuzz_packages=(clang libclang-rt-dev llvm g++ cmake ninja-build) # llvm names the lines of a crash
+vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib g++ cmake ninja-build)
 options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
 sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo BUILD_TESTING:BOOL=ON
   'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O1 -g1 -fno-var-tracking' # compiles in half the time
@@ -33,6 +35,11 @@ fail() {
 read_arguments() {
   while (($#)); do
     case "$1" in
+      --vtk)
+        build="$root/build/vtk"
+        packages=("${vtk_packages[@]}")
+        options=(HASHEDOCTREE_HOST:STRING=VTK HASHEDOCTREE_PYTHON:BOOL=OFF)
+        excluded=python3-paraview ;;
       --tests)
         packages+=("${test_packages[@]}")
         options+=(BUILD_TESTING:BOOL=ON) ;;
@@ -128,6 +135,8 @@ install_packages() {
 install_missing() {
   command -v apt-get >/dev/null ||
     fail "no apt-get here; install what these Debian packages hold, then use cmake: ${packages[*]}"
+  [[ "$(dpkg-query --show --showformat '${db:Status-Status}' "${excluded:-none}" 2>/dev/null)" != installed ]] ||
+    fail "Debian has either its own VTK or its ParaView on a machine; remove $excluded, or use another one"
   local missing
   mapfile -t missing < <(missing_packages)
   ((${#missing[@]} == 0)) || install_packages "${missing[@]}"

@@ -9,9 +9,15 @@
 #                                            --help tells its own arguments
 #   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, its claims and figures,
 #                                            in build/bench/paper.md; 17 minutes, --quick one
+#   Testing/bench.sh --vtk build|locator [arguments]   the same beside Debian's own VTK (libvtk9-dev), which
+#                                            is compiled with optimisation, while that in Debian's ParaView
+#                                            is not; on a machine without ParaView, in build/vtk
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+build="$root/build"
+python=pvpython
+host=()
 declare -A benchmarks=([build]=BenchmarkOctreeBuild [locator]=BenchmarkPointLocator
   [paper]=BenchmarkPaper [python]=benchmark_python.py)
 
@@ -21,12 +27,12 @@ fail() {
 }
 
 make_terrain() {
-  local log="$root/build/data/terrain.log"
-  terrain="$root/build/data/terrain.vtp"
+  local log="$build/data/terrain.log"
+  terrain="$build/data/terrain.vtp"
   [[ ! -f "$terrain" ]] || return 0
-  mkdir -p "$root/build/data"
-  pvpython "$root/Data/make_terrain.py" "$terrain" >"$log" 2>&1 ||
-    fail "$(grep '^make_terrain: ' "$log" || echo "no terrain; all that pvpython said is in $log")"
+  mkdir -p "$build/data"
+  "$python" "$root/Data/make_terrain.py" "$terrain" >"$log" 2>&1 ||
+    fail "$(grep '^make_terrain: ' "$log" || echo "no terrain; all that $python said is in $log")"
 }
 
 # This and the next draw also when some answers were wrong (1), but not when the arguments were (2).
@@ -47,7 +53,7 @@ run_paper() {
 }
 
 run_locator() {
-  local output="$root/build/bench" status=0
+  local output="$build/bench" status=0
   make_terrain
   mkdir -p "$output"
   "$program" --terrain "$terrain" --output "$output" "$@" || status=$?
@@ -57,13 +63,20 @@ run_locator() {
   exit "$status"
 }
 
+if [[ "${1:-}" == --vtk ]]; then
+  build="$root/build/vtk"
+  python=python3
+  host=(--vtk)
+  benchmarks=([build]=BenchmarkOctreeBuild [locator]=BenchmarkPointLocator)
+  shift
+fi
 name="${1:-}"
 [[ -n "$name" && -n "${benchmarks[$name]:-}" ]] ||
   fail "no benchmark \"$name\"; there is: ${!benchmarks[*]}"
 shift
-"$root/Plugin/setup.sh" --benchmarks
+"$root/Plugin/setup.sh" "${host[@]}" --benchmarks
 PATH="/usr/bin:/bin:$PATH" # Debian's ParaView, as in setup.sh
-program="$root/build/bin/${benchmarks[$name]}"
+program="$build/bin/${benchmarks[$name]}"
 if [[ "$name" == python ]]; then
   export PYTHONPATH="$root/build/lib/python3/dist-packages"
   exec python3 -B "$root/Testing/Benchmarks/${benchmarks[$name]}" "$@"

@@ -5,6 +5,8 @@
 #include "LocatorFormat.h"
 #include "LocatorPeers.h"
 
+#include "vtkVersion.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -60,7 +62,8 @@ void WriteTimes(std::ostream& out, const LocatorOptions& options, const LocatorR
   out << "# Point locators\n\n"
          "Median times of "
       << options.Peers[0]
-      << ", each for one query or one build, then how many times as long the others take.\n\n";
+      << ", each for one query or one build, then how many times as long the others take. VTK is "
+      << vtkVersion::GetVTKVersion() << ".\n\n";
   for (const std::string& peer : options.Peers)
   {
     out << "- " << peer << ": " << GetPeerKind(peer).Description << "\n";

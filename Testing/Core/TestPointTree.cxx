@@ -138,7 +138,7 @@ TYPED_TEST(TestPointTree, HoldsThePointsAndTheirBoxes)
 
 TEST(TestPointTreeFacts, TakesAtMost32BytesPerPoint)
 {
-  // Beside the input: floats, in leaves of 48 as the locator has them. The last is a tree in a
+  // Beside the input: floats, in leaves of 64 as the locator has them. The last is a tree in a
   // leaf.
   std::vector<float> spot = MakeUniformPoints<3, float>(100000, 145, 0.0, 1e-9);
   spot[0] = 1.0F;
@@ -148,7 +148,7 @@ TEST(TestPointTreeFacts, TakesAtMost32BytesPerPoint)
   {
     const PointSpan<3, float> points{ coordinates.data(), 100000 };
     const PointSelection<3> selection(points, {}, Execution());
-    const PointTree<3, float> tree(points, selection, { 48, 21 }, Execution());
+    const PointTree<3, float> tree(points, selection, { 64, 21 }, Execution());
     // With 64-bit ids there are two of them for each point in the spot, and larger blocks.
     const std::size_t most = sizeof(PointIndex) == 4 ? 32 : 44;
     EXPECT_LE(tree.GetBytes(), most * tree.GetNumberOfPoints());

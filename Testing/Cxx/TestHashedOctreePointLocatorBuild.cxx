@@ -62,7 +62,7 @@ private:
 TEST(TestHashedOctreePointLocatorBuild, DefaultsAreAsDocumented)
 {
   vtkNew<vtkHashedOctreePointLocator> locator;
-  EXPECT_EQ(locator->GetMaxPointsPerLeaf(), 48);
+  EXPECT_EQ(locator->GetMaxPointsPerLeaf(), 64);
   EXPECT_EQ(locator->GetMaxDepth(), 21);
   EXPECT_EQ(locator->GetMaxLevel(), 21);
   EXPECT_EQ(locator->GetFrequencyModel(), Class::Leaves);
@@ -257,7 +257,7 @@ TEST(TestHashedOctreePointLocatorBuild, TellsOfItsTree)
     EXPECT_EQ(bounds[i], cloud->GetBounds()[i]);
     EXPECT_EQ(locator->GetBounds()[i], bounds[i]);
   }
-  EXPECT_GT(locator->GetNumberOfBuckets(), 10000 / 48);
+  EXPECT_GT(locator->GetNumberOfBuckets(), 10000 / 64);
   EXPECT_GT(locator->GetLevel(), 2);
   EXPECT_LT(locator->GetLevel(), 10);
   EXPECT_GE(locator->GetIndexBytes(), 10000 * 16); // Coordinates and ids at least.
