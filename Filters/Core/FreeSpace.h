@@ -36,17 +36,17 @@ public:
   bool Holds(const BallInGrid<Dim>& ball) const
   {
     const int shift = Key::MaxDepth - this->Depth;
-    std::size_t cell = 0;
     std::uint32_t reach = 0;
     for (int axis = 0; axis < Dim; ++axis)
     {
       const std::uint32_t home = ball.GetHome()[axis] >> shift;
-      cell = cell << this->Depth | home;
       reach = std::max(reach, home - (ball.GetLower()[axis] >> shift));
       reach = std::max(reach, (ball.GetUpper()[axis] >> shift) - home);
     }
-    return reach < this->CellsToPoints[cell];
+    return reach < this->GetCellsToPoints(ball);
   }
+  /** The same of the coarse cell that its center lies in, or is nearest to. */
+  bool HoldsHomeOf(const BallInGrid<Dim>& ball) const { return this->GetCellsToPoints(ball) != 0; }
 
   std::size_t GetBytes() const { return this->CellsToPoints.size(); }
 
@@ -56,6 +56,15 @@ private:
    * its first cell; rows are in order of the other axes, the first one changing slowest. */
   using CellSet = std::vector<std::uint64_t>;
 
+  std::uint32_t GetCellsToPoints(const BallInGrid<Dim>& ball) const
+  {
+    std::size_t cell = 0;
+    for (const std::uint32_t home : ball.GetHome())
+    {
+      cell = cell << this->Depth | home >> (Key::MaxDepth - this->Depth);
+    }
+    return this->CellsToPoints[cell];
+  }
   CellSet GetOccupied(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes) const;
   void AddCells(const Cell<Dim>& lower, const Cell<Dim>& upper, CellSet& cells) const;
   void Grow(CellSet& cells) const;

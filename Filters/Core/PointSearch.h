@@ -34,7 +34,7 @@ struct FoundPoint
  * directly through the table, and only they are descended into, past the boxes of their children.
  * From start depth 0 it is the classical search, down from the root without the table. A ball that
  * is given from the start is first looked up in the tree's free space (FreeSpace.h), and is done
- * where that holds it.
+ * where that holds it; closest points of a position in free space are searched for from the root.
  *
  * Positions may lie anywhere; one that is not finite has no points near it. All members are thread
  * safe. Mean cost of the closest point is O(1) near the points, about O(depth * 2^Dim) far from

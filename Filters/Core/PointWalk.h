@@ -53,7 +53,9 @@ public:
       }
     }
     const Key key = InterleaveCell<Dim>(this->Ball.GetHome(), Key::MaxDepth);
-    const int startDepth = this->Starts.Get(key);
+    // The leaf of a position far from all points is of no use when these are to be found.
+    const bool isFar = !Collector::HasFixedBall && this->Free.HoldsHomeOf(this->Ball);
+    const int startDepth = isFar ? 0 : this->Starts.Get(key);
     if (startDepth == 0)
     {
       this->Below.SearchBlock(0, this->Ball.GetHome(), 0);

@@ -23,6 +23,10 @@ protected:
     return Tree(points, selection, { bucket, MortonKey<Dim>::MaxDepth }, Execution());
   }
 
+  static bool HoldsHomeOf(const Tree& tree, const Position<Dim>& center)
+  {
+    return tree.GetFreeSpace().HoldsHomeOf(BallInGrid<Dim>(tree.GetOctree().GetGrid(), center));
+  }
   static bool Holds(const Tree& tree, const Position<Dim>& center, double radius)
   {
     BallInGrid<Dim> ball(tree.GetOctree().GetGrid(), center);
@@ -56,6 +60,7 @@ TYPED_TEST(TestFreeSpace, HoldsTheBallsThatReachNoCellWithPoints)
       cells[2] = std::max(cells[2], std::abs(cell - static_cast<int>(0.3 * size)));
     }
     const int toPoints = *std::min_element(cells, cells + 3);
+    ASSERT_EQ(TestFixture::HoldsHomeOf(tree, center), toPoints > 0) << number;
     ASSERT_FALSE(TestFixture::Holds(tree, center, (toPoints + 0.49) / size)) << number;
     ASSERT_EQ(TestFixture::Holds(tree, center, (toPoints - 1 + 0.49) / size), toPoints > 0);
   }
