@@ -28,37 +28,43 @@ protected:
     }
     return boxes;
   }
+
+  template <typename Real>
+  static void ExpectDistances()
+  {
+    using Kernels = DistanceKernels<Dim, Real>;
+    const double x[4] = { 0.3, -1.7, 1e6, 0.1 };
+    for (std::size_t count = 1; count <= Kernels::MostPoints; ++count)
+    {
+      const std::size_t stride = count + count % 3;
+      std::vector<Real> points = MakeUniformPoints<Dim, Real>(stride, 131);
+      // What stands beyond the points must not count: these would be the nearest.
+      points.insert(points.end(), Kernels::Padding, static_cast<Real>(x[Dim - 1]));
+      std::vector<double> dist2(Kernels::MostPoints, -1.0);
+      const double least =
+        GetDistanceKernels<Dim, Real>().ToPoints(points.data(), stride, count, x, dist2.data());
+      double expectedLeast = INFINITY;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        double expected = 0.0;
+        for (std::size_t axis = 0; axis < Dim; ++axis)
+        {
+          const double difference = static_cast<double>(points[axis * stride + i]) - x[axis];
+          expected += difference * difference;
+        }
+        ASSERT_EQ(dist2[i], expected);
+        expectedLeast = std::min(expectedLeast, expected);
+      }
+      ASSERT_EQ(least, expectedLeast);
+    }
+  }
 };
 TYPED_TEST_SUITE(TestDistanceKernels, Dimensions);
 
 TYPED_TEST(TestDistanceKernels, PointsToTheLastBit)
 {
-  constexpr int dim = TestFixture::Dim;
-  using Kernels = DistanceKernels<dim, float>;
-  const double x[4] = { 0.3, -1.7, 1e6, 0.1 };
-  for (std::size_t count = 1; count <= Kernels::MostPoints; ++count)
-  {
-    const std::size_t stride = count + count % 3;
-    std::vector<float> points = MakeUniformPoints<dim, float>(stride, 131);
-    // What stands beyond the points must not count: these would be the nearest.
-    points.insert(points.end(), Kernels::Padding, static_cast<float>(x[dim - 1]));
-    std::vector<double> dist2(Kernels::MostPoints, -1.0);
-    const double least =
-      GetDistanceKernels<dim, float>().ToPoints(points.data(), stride, count, x, dist2.data());
-    double expectedLeast = INFINITY;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      double expected = 0.0;
-      for (std::size_t axis = 0; axis < dim; ++axis)
-      {
-        const double difference = static_cast<double>(points[axis * stride + i]) - x[axis];
-        expected += difference * difference;
-      }
-      ASSERT_EQ(dist2[i], expected);
-      expectedLeast = std::min(expectedLeast, expected);
-    }
-    ASSERT_EQ(least, expectedLeast);
-  }
+  TestFixture::template ExpectDistances<float>();
+  TestFixture::template ExpectDistances<double>();
 }
 
 TYPED_TEST(TestDistanceKernels, SelectedAreThoseWithinTheLimit)
