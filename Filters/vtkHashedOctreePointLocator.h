@@ -85,7 +85,9 @@ public:
 
   /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
    * the nearest depth, at the root (the classical search, from there down), at FixedStartDepth, or
-   * at the weighted median of the leaves near the position: those in the same one of 4096 cells. */
+   * at the weighted median of the leaves near the position: those in the same one of 4096 cells.
+   * Where it is known that no points are near the position, the closest ones are always searched
+   * for from the root. */
   enum StartDepthModels
   {
     Median = 0,
