@@ -19,6 +19,7 @@ packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libd
 test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
 benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
 fuzz_packages=(clang libclang-rt-dev llvm g++ cmake ninja-build) # llvm names the lines of a crash
+excluded= # a package that must not be there
 vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib g++ cmake ninja-build)
 options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
 sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo BUILD_TESTING:BOOL=ON
@@ -73,8 +74,8 @@ read_arguments() {
 missing_packages() {
   local installed package
   installed="$(dpkg-query --show --showformat '${Package} ${db:Status-Status}\n' \
-    "${packages[@]}" 2>/dev/null)" || true # it also fails when one of them is unknown
-  for package in "${packages[@]}"; do
+    "$@" 2>/dev/null)" || true # it also fails when one of them is unknown
+  for package in "$@"; do
     grep --quiet --line-regexp --fixed-strings "$package installed" <<<"$installed" || echo "$package"
   done
 }
@@ -135,10 +136,10 @@ install_packages() {
 install_missing() {
   command -v apt-get >/dev/null ||
     fail "no apt-get here; install what these Debian packages hold, then use cmake: ${packages[*]}"
-  [[ "$(dpkg-query --show --showformat '${db:Status-Status}' "${excluded:-none}" 2>/dev/null)" != installed ]] ||
+  [[ -z "$excluded" || -n "$(missing_packages "$excluded")" ]] ||
     fail "Debian has either its own VTK or its ParaView on a machine; remove $excluded, or use another one"
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "${packages[@]}")
   ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
 }
 

@@ -67,7 +67,7 @@ if [[ "${1:-}" == --vtk ]]; then
   build="$root/build/vtk"
   python=python3
   host=(--vtk)
-  benchmarks=([build]=BenchmarkOctreeBuild [locator]=BenchmarkPointLocator)
+  unset 'benchmarks[paper]' 'benchmarks[python]'
   shift
 fi
 name="${1:-}"

@@ -24,6 +24,10 @@ public:
   /** More than a sum of squares may lose because the squares are too small for a double. */
   static constexpr double Underflow = 1e-322;
 
+  /** Whether squared lengths are neither too small nor too large when they are multiplied by a
+   * squared ratio of units. */
+  static bool IsExact(double ratio2) { return ratio2 < MostExact && 1.0 / MostExact < ratio2; }
+
   BallInGrid(const Grid<Dim>& grid, const Position<Dim>& center)
     : CellsPerLength(grid.GetCellsPerLength())
   {
@@ -74,7 +78,7 @@ public:
     }
     margin -= 2.0 * Rounding + RelativeRounding * (side + this->Farthest);
     const double scale = this->CellsPerLength * this->CellsPerLength;
-    return margin > 0.0 && 1.0 / MostExact < scale && scale < MostExact &&
+    return margin > 0.0 && IsExact(scale) &&
       (radius2 + Underflow) * scale < margin * margin * (1.0 - RelativeRounding);
   }
 
@@ -90,7 +94,7 @@ private:
   // More than rounding does to a place in the root, and to one further away beside its distance.
   static constexpr double Rounding = 1e-9;
   static constexpr double RelativeRounding = 1e-12;
-  static constexpr double MostExact = 1e280; ///< Squared lengths of such a ratio are exact.
+  static constexpr double MostExact = 1e280;
   static constexpr double Size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
 
   // The cell at a place, or nearest to it; where the place is no number, the first, or the last.

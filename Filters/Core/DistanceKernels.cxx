@@ -21,35 +21,6 @@ namespace
 template <typename T, std::size_t Number>
 using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
 
-template <int Dim, typename Real>
-HASHEDOCTREE_INLINE double ComputeToPoints(
-  const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
-{
-  constexpr std::size_t width = 4;
-  using Doubles = Lanes<double, width>;
-  using Places = Lanes<std::int64_t, width>;
-  const Doubles infinity = Doubles{} + std::numeric_limits<double>::infinity();
-  Doubles least = infinity;
-  Places left = Places{ 0, -1, -2, -3 } + static_cast<std::int64_t>(count);
-  for (std::size_t i = 0; i < count; i += width, left -= width)
-  {
-    Doubles sum = {};
-    for (std::size_t axis = 0; axis < Dim; ++axis)
-    {
-      Lanes<Real, width> loaded;
-      std::memcpy(&loaded, coordinates + axis * stride + i, sizeof(loaded));
-      const Doubles difference = __builtin_convertvector(loaded, Doubles) - x[axis];
-      sum += difference * difference;
-    }
-    sum = left > 0 ? sum : infinity;
-    least = sum < least ? sum : least;
-    std::memcpy(dist2 + i, &sum, sizeof(sum));
-  }
-  const double a = least[0] < least[1] ? least[0] : least[1];
-  const double b = least[2] < least[3] ? least[2] : least[3];
-  return a < b ? a : b;
-}
-
 /** One number for each octant. */
 template <int Dim>
 using OfOctants = Lanes<float, MortonKey<Dim>::NumberOfOctants>;
@@ -79,7 +50,29 @@ struct Plain
   static double ToPoints(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
-    return ComputeToPoints<Dim>(coordinates, stride, count, x, dist2);
+    constexpr std::size_t width = 4;
+    using Doubles = Lanes<double, width>;
+    using Places = Lanes<std::int64_t, width>;
+    const Doubles infinity = Doubles{} + std::numeric_limits<double>::infinity();
+    Doubles least = infinity;
+    Places left = Places{ 0, -1, -2, -3 } + static_cast<std::int64_t>(count);
+    for (std::size_t i = 0; i < count; i += width, left -= width)
+    {
+      Doubles sum = {};
+      for (std::size_t axis = 0; axis < Dim; ++axis)
+      {
+        Lanes<Real, width> loaded;
+        std::memcpy(&loaded, coordinates + axis * stride + i, sizeof(loaded));
+        const Doubles difference = __builtin_convertvector(loaded, Doubles) - x[axis];
+        sum += difference * difference;
+      }
+      sum = left > 0 ? sum : infinity;
+      least = sum < least ? sum : least;
+      std::memcpy(dist2 + i, &sum, sizeof(sum));
+    }
+    const double a = least[0] < least[1] ? least[0] : least[1];
+    const double b = least[2] < least[3] ? least[2] : least[3];
+    return a < b ? a : b;
   }
   static std::uint64_t Select(const double* dist2, std::size_t count, double limit)
   {
@@ -206,13 +199,18 @@ struct Avx2Boxes
 #endif
 
 template <int Dim, typename Real>
+constexpr DistanceKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints,
+  Plain<Dim, Real>::Select, Plain<Dim, Real>::ToBoxes };
+
+template <int Dim, typename Real>
 DistanceKernels<Dim, Real> ChooseKernels()
 {
 #ifdef HASHEDOCTREE_AVX2
   if (__builtin_cpu_supports("avx2"))
   {
-    DistanceKernels<Dim, Real> kernels{ Avx2<Dim, Real>::ToPoints, Avx2<Dim, Real>::Select,
-      Plain<Dim, Real>::ToBoxes };
+    DistanceKernels<Dim, Real> kernels = PlainKernels<Dim, Real>;
+    kernels.ToPoints = Avx2<Dim, Real>::ToPoints;
+    kernels.Select = Avx2<Dim, Real>::Select;
     if constexpr (Dim == 3)
     {
       kernels.ToBoxes = Avx2Boxes::ToBoxes;
@@ -220,7 +218,7 @@ DistanceKernels<Dim, Real> ChooseKernels()
     return kernels;
   }
 #endif
-  return { Plain<Dim, Real>::ToPoints, Plain<Dim, Real>::Select, Plain<Dim, Real>::ToBoxes };
+  return PlainKernels<Dim, Real>;
 }
 }
 
@@ -231,9 +229,17 @@ const DistanceKernels<Dim, Real>& GetDistanceKernels()
   return kernels;
 }
 
+template <int Dim, typename Real>
+const DistanceKernels<Dim, Real>& GetPlainDistanceKernels()
+{
+  return PlainKernels<Dim, Real>;
+}
+
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template const DistanceKernels<Dim, float>& GetDistanceKernels();                                \
-  template const DistanceKernels<Dim, double>& GetDistanceKernels();
+  template const DistanceKernels<Dim, double>& GetDistanceKernels();                               \
+  template const DistanceKernels<Dim, float>& GetPlainDistanceKernels();                           \
+  template const DistanceKernels<Dim, double>& GetPlainDistanceKernels();
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)

@@ -57,6 +57,10 @@ struct DistanceKernels
 /** The fastest kernels that the machine can run. */
 template <int Dim, typename Real>
 const DistanceKernels<Dim, Real>& GetDistanceKernels();
+
+/** Those that run on every machine, to compare the others with. */
+template <int Dim, typename Real>
+const DistanceKernels<Dim, Real>& GetPlainDistanceKernels();
 }
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef hashedoctree_PlaceInBlock_h
 #define hashedoctree_PlaceInBlock_h
 
+#include "BallInGrid.h"
 #include "DistanceKernels.h"
 
 #include <algorithm>
@@ -67,10 +68,7 @@ public:
   {
     return this->IsExact() ? dist2 * this->PerLength2 : std::numeric_limits<double>::infinity();
   }
-  bool IsExact() const
-  {
-    return this->PerLength2 < MostExact && 1.0 / MostExact < this->PerLength2;
-  }
+  bool IsExact() const { return BallInGrid<Dim>::IsExact(this->PerLength2); }
 
   /** More than rounding does to a place, or a square. */
   static constexpr double FarError = 4e-15;
@@ -133,7 +131,6 @@ private:
   static constexpr double Far = 64.0 * NumberOfSteps;
   static_assert(Far + 2.0 * NumberOfSteps <= DistanceKernels<Dim, Real>::FarthestPlace,
     "the kernels must take the places of children that are near");
-  static constexpr double MostExact = 1e280; ///< Squared lengths of such a ratio are exact.
 
   Position<Dim> Steps; ///< From the lower corner of the block's cell.
   double PerLength2;   ///< Squared steps in a squared world unit.

@@ -13,8 +13,8 @@ namespace hashedoctree
 {
 /**
  * An octree with what searches for points need beside it: the points in Morton order, in the
- * precision of the input, the tight box of every child, and the start depths. The input may go away
- * once the tree is built.
+ * precision of the input, the tight box of every child, the start depths, and where no points are.
+ * The input may go away once the tree is built.
  *
  * Nested trees: keys end at MortonKey::MaxDepth, and a leaf there may hold any number of points.
  * One that holds more than a bucket, and not all at one place, gets a tree of its own in its own

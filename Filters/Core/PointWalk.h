@@ -7,6 +7,9 @@
 #include "DirectSearch.h"
 #include "PointDescent.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace hashedoctree
 {
 /**

@@ -29,8 +29,20 @@ protected:
     return boxes;
   }
 
+  /** Calls function(kernels) for the fastest ones and for those of every machine. */
+  template <typename Real, typename Function>
+  static void ForAllKernels(const Function& function)
+  {
+    const DistanceKernels<Dim, Real>& plain = GetPlainDistanceKernels<Dim, Real>();
+    for (const auto* kernels : { &GetDistanceKernels<Dim, Real>(), &plain })
+    {
+      SCOPED_TRACE(kernels == &plain ? "plain" : "fastest");
+      function(*kernels);
+    }
+  }
+
   template <typename Real>
-  static void ExpectDistances()
+  static void ExpectDistances(const DistanceKernels<Dim, Real>& kernels)
   {
     using Kernels = DistanceKernels<Dim, Real>;
     const double x[4] = { 0.3, -1.7, 1e6, 0.1 };
@@ -41,8 +53,7 @@ protected:
       // What stands beyond the points must not count: these would be the nearest.
       points.insert(points.end(), Kernels::Padding, static_cast<Real>(x[Dim - 1]));
       std::vector<double> dist2(Kernels::MostPoints, -1.0);
-      const double least =
-        GetDistanceKernels<Dim, Real>().ToPoints(points.data(), stride, count, x, dist2.data());
+      const double least = kernels.ToPoints(points.data(), stride, count, x, dist2.data());
       double expectedLeast = INFINITY;
       for (std::size_t i = 0; i < count; ++i)
       {
@@ -63,8 +74,8 @@ TYPED_TEST_SUITE(TestDistanceKernels, Dimensions);
 
 TYPED_TEST(TestDistanceKernels, PointsToTheLastBit)
 {
-  TestFixture::template ExpectDistances<float>();
-  TestFixture::template ExpectDistances<double>();
+  TestFixture::template ForAllKernels<float>(TestFixture::template ExpectDistances<float>);
+  TestFixture::template ForAllKernels<double>(TestFixture::template ExpectDistances<double>);
 }
 
 TYPED_TEST(TestDistanceKernels, SelectedAreThoseWithinTheLimit)
@@ -80,13 +91,16 @@ TYPED_TEST(TestDistanceKernels, SelectedAreThoseWithinTheLimit)
     GetDistanceKernels<dim, float>().ToPoints(points.data(), count, count, x, dist2.data());
     for (const double limit : { dist2[count / 2], 0.0, std::numeric_limits<double>::infinity() })
     {
-      const std::uint64_t selected =
-        GetDistanceKernels<dim, float>().Select(dist2.data(), count, limit);
-      for (std::size_t i = 0; i < 64; ++i)
-      {
-        ASSERT_EQ((selected >> i & 1U) != 0, i < count && dist2[i] <= limit)
-          << i << " of " << count;
-      }
+      TestFixture::template ForAllKernels<float>(
+        [&](const Kernels& kernels)
+        {
+          const std::uint64_t selected = kernels.Select(dist2.data(), count, limit);
+          for (std::size_t i = 0; i < 64; ++i)
+          {
+            ASSERT_EQ((selected >> i & 1U) != 0, i < count && dist2[i] <= limit)
+              << i << " of " << count;
+          }
+        });
     }
   }
 }
@@ -107,26 +121,31 @@ TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
       {
         step = 128.0 + reach * uniform(random);
       }
-      float dist2[TestFixture::Octants];
       const auto limit = static_cast<float>(reach * reach);
-      const unsigned mask = GetDistanceKernels<dim, double>().ToBoxes(boxes, steps, limit, dist2);
-      for (unsigned octant = 0; octant < TestFixture::Octants; ++octant)
-      {
-        ASSERT_EQ((mask >> octant & 1U) != 0, dist2[octant] <= limit);
-        double expected = 0.0;
-        for (int axis = 0; axis < dim; ++axis)
+      TestFixture::template ForAllKernels<double>(
+        [&](const DistanceKernels<dim, double>& kernels)
         {
-          // A box ends where its last step does.
-          const double below = boxes.Lower[axis][octant] - steps[axis];
-          const double above = steps[axis] - (boxes.Upper[axis][octant] + 1.0);
-          const double distance = std::max({ 0.0, below, above });
-          expected += distance * distance;
-        }
-        constexpr double error = DistanceKernels<dim, double>::BoxError;
-        ASSERT_LE(static_cast<double>(dist2[octant]), expected * (1.0 + error));
-        // Nor so much nearer that searching would go astray.
-        ASSERT_GE(static_cast<double>(dist2[octant]), expected - 0.06 * std::sqrt(expected) - 0.01);
-      }
+          float dist2[TestFixture::Octants];
+          const unsigned mask = kernels.ToBoxes(boxes, steps, limit, dist2);
+          for (unsigned octant = 0; octant < TestFixture::Octants; ++octant)
+          {
+            ASSERT_EQ((mask >> octant & 1U) != 0, dist2[octant] <= limit);
+            double expected = 0.0;
+            for (int axis = 0; axis < dim; ++axis)
+            {
+              // A box ends where its last step does.
+              const double below = boxes.Lower[axis][octant] - steps[axis];
+              const double above = steps[axis] - (boxes.Upper[axis][octant] + 1.0);
+              const double distance = std::max({ 0.0, below, above });
+              expected += distance * distance;
+            }
+            constexpr double error = DistanceKernels<dim, double>::BoxError;
+            ASSERT_LE(static_cast<double>(dist2[octant]), expected * (1.0 + error));
+            // Nor so much nearer that searching would go astray.
+            ASSERT_GE(
+              static_cast<double>(dist2[octant]), expected - 0.06 * std::sqrt(expected) - 0.01);
+          }
+        });
     }
   }
 }
@@ -138,8 +157,12 @@ TYPED_TEST(TestDistanceKernels, NothingIsLeftOutWhereTheLimitIsNoNumber)
   const ChildBoxes<dim> boxes = TestFixture::MakeBoxes(random);
   double steps[dim];
   std::fill(std::begin(steps), std::end(steps), -1e4);
-  float dist2[TestFixture::Octants];
-  constexpr unsigned all = (1U << TestFixture::Octants) - 1U;
-  EXPECT_EQ((GetDistanceKernels<dim, float>().ToBoxes(boxes, steps, 1e4F, dist2)), 0U);
-  EXPECT_EQ((GetDistanceKernels<dim, float>().ToBoxes(boxes, steps, NAN, dist2)), all);
+  TestFixture::template ForAllKernels<float>(
+    [&](const DistanceKernels<dim, float>& kernels)
+    {
+      float dist2[TestFixture::Octants];
+      constexpr unsigned all = (1U << TestFixture::Octants) - 1U;
+      EXPECT_EQ(kernels.ToBoxes(boxes, steps, 1e4F, dist2), 0U);
+      EXPECT_EQ(kernels.ToBoxes(boxes, steps, NAN, dist2), all);
+    });
 }
