@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Invariants.h"
 
+#include <map>
 #include <set>
 
 namespace hashedoctree
@@ -67,13 +68,6 @@ private:
         return;
       }
       seen[id] = 1;
-      if (place > 0)
-      {
-        const Key before = this->KeyOf(place - 1);
-        const bool ordered = before < this->KeyOf(place) ||
-          (before == this->KeyOf(place) && this->Tree.GetPointIds()[place - 1] < id);
-        this->Require(ordered, "points are ordered by key, then by id", this->KeyOf(place));
-      }
     }
     for (std::size_t id = 0; id < this->Points.Count; ++id)
     {
@@ -135,10 +129,16 @@ private:
     this->NextCell = leaf.NodeKey.GetLastAtMaxDepth().GetValue() + 1;
     const bool inside = leaf.LastPoint <= this->Tree.GetNumberOfPoints();
     this->Require(inside, "ranges partition the points", leaf.NodeKey);
+    std::map<std::uint64_t, PointIndex> lastIds; // By key.
     for (std::size_t place = leaf.FirstPoint; inside && place < leaf.LastPoint; ++place)
     {
-      this->Require(this->KeyOf(place).AtDepth(leaf.NodeKey.GetDepth()) == leaf.NodeKey,
+      const Key key = this->KeyOf(place);
+      this->Require(key.AtDepth(leaf.NodeKey.GetDepth()) == leaf.NodeKey,
         "each point lies in the cell of its leaf", leaf.NodeKey);
+      const PointIndex id = this->Tree.GetPointIds()[place];
+      const auto [last, isFirst] = lastIds.insert({ key.GetValue(), id });
+      this->Require(isFirst || last->second < id, "points of equal keys stand by id", key);
+      last->second = id;
     }
     const auto depth = static_cast<std::size_t>(leaf.NodeKey.GetDepth());
     this->Leaves[depth] += 1;

@@ -3,28 +3,58 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace hashedoctree
 {
 namespace
 {
-constexpr int DigitBits = 9; // Three depths of an octree; 512 counters stay in the first cache.
-constexpr std::size_t NumberOfDigits = std::size_t(1) << DigitBits;
+constexpr int MostDigitBits = 9; // 512 counters stay in the first cache.
+constexpr std::size_t MostDigits = std::size_t(1) << MostDigitBits;
 constexpr std::size_t InsertionLimit = 32; // Up to here insertion beats counting digits.
-constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a range on its own,
+constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a node on its own,
 constexpr std::size_t SerialShare = 16;    // and up to this part of all points.
 constexpr std::size_t ChunkSize = 16384;   // Points that a thread partitions at a time.
+constexpr PointIndex PrefetchDistance = 8; // Points of a digit ahead whose place is on the way.
 
-using DigitCounts = std::array<PointIndex, NumberOfDigits>;
+using DigitCounts = std::array<PointIndex, MostDigits>;
+
+/** The octants that lead from a node to one of its descendants, as one number. */
+template <int Dim>
+class Digit
+{
+public:
+  static constexpr int MostDepths = MostDigitBits / Dim;
+
+  /** Of the nodes `depths` below a node at `depth`. */
+  Digit(int depth, int depths)
+    : Shift(Dim * (MortonKey<Dim>::MaxDepth - depth - depths))
+    , Count(std::size_t(1) << (Dim * depths))
+  {
+  }
+
+  std::size_t GetCount() const { return this->Count; }
+  std::size_t Of(const CodedPoint<Dim>& point) const
+  {
+    return point.Key.GetValue() >> this->Shift & (this->Count - 1);
+  }
+
+private:
+  int Shift;
+  std::size_t Count;
+};
 
 template <int Dim>
 class Sorter
 {
 public:
-  Sorter(Buffer<CodedPoint<Dim>>& points, const Execution& execution)
+  Sorter(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf, int maxDepth,
+    const Execution& execution)
     : Points(points)
     , Scratch(points.GetSize())
+    , MaxPointsPerLeaf(maxPointsPerLeaf)
+    , MaxDepth(maxDepth)
     , Threads(execution)
   {
   }
@@ -32,13 +62,13 @@ public:
   void Sort()
   {
     const std::size_t limit = std::max(SerialLimit, this->Points.GetSize() / SerialShare);
-    std::vector<Range> large{ Range{ 0, this->Points.GetSize(), TopShift, false } };
+    std::vector<Range> large{ Range{ 0, this->Points.GetSize(), 0, false } };
     std::vector<Range> small;
     while (!large.empty())
     {
       const Range range = large.back();
       large.pop_back();
-      if (range.Last - range.First <= limit || range.Shift == NoDigit)
+      if (range.Last - range.First <= limit || this->IsLeaf(range.Last - range.First, range.Depth))
       {
         small.push_back(range);
       }
@@ -53,27 +83,31 @@ public:
 private:
   using Point = CodedPoint<Dim>;
 
-  /** Points [First, Last), alike above the digit at Shift, in Scratch or in Points. */
+  /** The points [First, Last) of a node at Depth, in Scratch or in Points. */
   struct Range
   {
     std::size_t First;
     std::size_t Last;
-    int Shift;
+    int Depth;
     bool InScratch;
   };
 
-  static constexpr int KeyBits = Dim * MortonKey<Dim>::MaxDepth;
-  static constexpr int TopShift = KeyBits > DigitBits ? KeyBits - DigitBits : 0;
-  static constexpr int NoDigit = -1;
-
-  /** Shift of the next digit; the last one may overlap its forerunner, which does no harm. */
-  static int Next(int shift)
+  bool IsLeaf(std::size_t count, int depth) const
   {
-    return shift > DigitBits ? shift - DigitBits : shift > 0 ? 0 : NoDigit;
+    return count <= this->MaxPointsPerLeaf || depth >= this->MaxDepth;
   }
-  static std::size_t Digit(const Point& point, int shift)
+
+  /** How many depths to part the points of a node by at once: as many as would make leaves of
+   * points that are spread evenly. */
+  int GetDepths(std::size_t count, int depth) const
   {
-    return point.Key.GetValue() >> shift & (NumberOfDigits - 1);
+    const int most = std::min(Digit<Dim>::MostDepths, this->MaxDepth - depth);
+    int depths = 1;
+    while (depths < most && count >> (Dim * depths) > this->MaxPointsPerLeaf)
+    {
+      ++depths;
+    }
+    return depths;
   }
 
   Point* Data(bool scratch) { return (scratch ? this->Scratch : this->Points).GetData(); }
@@ -83,6 +117,8 @@ private:
   {
     const Point* from = this->Data(range.InScratch) + range.First;
     const std::size_t count = range.Last - range.First;
+    const int depths = this->GetDepths(count, range.Depth);
+    const Digit<Dim> digit(range.Depth, depths);
     const std::size_t numberOfChunks = (count + ChunkSize - 1) / ChunkSize;
 
     std::vector<DigitCounts> offsets(numberOfChunks);
@@ -92,28 +128,28 @@ private:
         offsets[chunk].fill(0);
         for (std::size_t i = first; i < last; ++i)
         {
-          ++offsets[chunk][Digit(from[i], range.Shift)];
+          ++offsets[chunk][digit.Of(from[i])];
         }
       });
 
-    std::array<std::size_t, NumberOfDigits + 1> starts;
+    std::array<std::size_t, MostDigits + 1> starts;
     PointIndex sum = 0;
-    for (std::size_t digit = 0; digit < NumberOfDigits; ++digit)
+    for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
-      starts[digit] = sum;
+      starts[place] = sum;
       for (DigitCounts& chunk : offsets)
       {
-        const PointIndex here = chunk[digit];
-        chunk[digit] = sum;
+        const PointIndex here = chunk[place];
+        chunk[place] = sum;
         sum += here;
       }
     }
-    starts[NumberOfDigits] = count;
+    starts[digit.GetCount()] = count;
 
-    const std::size_t firstDigit = Digit(from[0], range.Shift);
+    const std::size_t firstDigit = digit.Of(from[0]);
     if (starts[firstDigit + 1] - starts[firstDigit] == count)
     {
-      rest.push_back(Range{ range.First, range.Last, Next(range.Shift), range.InScratch });
+      rest.push_back(Range{ range.First, range.Last, range.Depth + depths, range.InScratch });
       return;
     }
 
@@ -123,15 +159,17 @@ private:
       {
         for (std::size_t i = first; i < last; ++i)
         {
-          to[offsets[chunk][Digit(from[i], range.Shift)]++] = from[i];
+          const PointIndex place = offsets[chunk][digit.Of(from[i])]++;
+          to[place] = from[i];
+          __builtin_prefetch(&to[place + PrefetchDistance], 1);
         }
       });
-    for (std::size_t digit = 0; digit < NumberOfDigits; ++digit)
+    for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
-      if (starts[digit] != starts[digit + 1])
+      if (starts[place] != starts[place + 1])
       {
-        rest.push_back(Range{ range.First + starts[digit], range.First + starts[digit + 1],
-          Next(range.Shift), !range.InScratch });
+        rest.push_back(Range{ range.First + starts[place], range.First + starts[place + 1],
+          range.Depth + depths, !range.InScratch });
       }
     }
   }
@@ -172,23 +210,25 @@ private:
         for (std::size_t i = tasks[firstTask]; i < tasks[lastTask]; ++i)
         {
           const Range& range = ranges[i];
-          SortOne(this->Data(range.InScratch) + range.First,
-            this->Data(!range.InScratch) + range.First, range.Last - range.First, range.Shift,
+          this->SortOne(this->Data(range.InScratch) + range.First,
+            this->Data(!range.InScratch) + range.First, range.Last - range.First, range.Depth,
             range.InScratch);
         }
       });
   }
 
-  /** Sorts `from`, with `other` as scratch of the same length; the result ends in `other` when
-   * asked for, else in `from`. */
-  static void SortOne(Point* from, Point* other, std::size_t count, int shift, bool intoOther)
+  /** Sorts the points `from` of a node, with `other` as scratch of the same length; the result ends
+   * in `other` when asked for, else in `from`. */
+  void SortOne(Point* from, Point* other, std::size_t count, int depth, bool intoOther) const
   {
     DigitCounts offsets;
-    for (;; shift = Next(shift))
+    int depths = 0;
+    for (;; depth += depths)
     {
-      if (count <= InsertionLimit || shift == NoDigit)
+      const bool isLeaf = this->IsLeaf(count, depth);
+      if (isLeaf || count <= InsertionLimit)
       {
-        if (shift != NoDigit)
+        if (!isLeaf)
         {
           SortByInsertion(from, count);
         }
@@ -198,34 +238,36 @@ private:
         }
         return;
       }
-      offsets.fill(0);
+      depths = this->GetDepths(count, depth);
+      const Digit<Dim> digit(depth, depths);
+      std::fill_n(offsets.begin(), digit.GetCount(), 0);
       for (std::size_t i = 0; i < count; ++i)
       {
-        ++offsets[Digit(from[i], shift)];
+        ++offsets[digit.Of(from[i])];
       }
-      if (offsets[Digit(from[0], shift)] != count)
+      if (offsets[digit.Of(from[0])] != count)
       {
         break;
       }
     }
 
+    const Digit<Dim> digit(depth, depths);
     PointIndex sum = 0;
-    for (PointIndex& offset : offsets)
+    for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
-      const PointIndex here = offset;
-      offset = sum;
-      sum += here;
+      sum += std::exchange(offsets[place], sum);
     }
     for (std::size_t i = 0; i < count; ++i)
     {
-      other[offsets[Digit(from[i], shift)]++] = from[i];
+      other[offsets[digit.Of(from[i])]++] = from[i];
     }
     PointIndex first = 0;
-    for (const PointIndex last : offsets)
+    for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
+      const PointIndex last = offsets[place];
       if (last != first)
       {
-        SortOne(other + first, from + first, last - first, Next(shift), !intoOther);
+        this->SortOne(other + first, from + first, last - first, depth + depths, !intoOther);
       }
       first = last;
     }
@@ -247,18 +289,24 @@ private:
 
   Buffer<Point>& Points;
   Buffer<Point> Scratch;
+  std::size_t MaxPointsPerLeaf;
+  int MaxDepth;
   const Execution& Threads;
 };
 }
 
 template <int Dim>
-void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, const Execution& execution)
+void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
+  int maxDepth, const Execution& execution)
 {
-  Sorter<Dim>(points, execution).Sort();
+  Sorter<Dim>(points, maxPointsPerLeaf, maxDepth, execution).Sort();
 }
 
-template void SortAlongMortonCurve(Buffer<CodedPoint<1>>&, const Execution&);
-template void SortAlongMortonCurve(Buffer<CodedPoint<2>>&, const Execution&);
-template void SortAlongMortonCurve(Buffer<CodedPoint<3>>&, const Execution&);
-template void SortAlongMortonCurve(Buffer<CodedPoint<4>>&, const Execution&);
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>&, std::size_t, int, const Execution&);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -7,15 +7,21 @@
 namespace hashedoctree
 {
 /**
- * Sorts coded points along the Morton curve: by key, points of equal keys by id, given that they
- * come in the order of their ids. A radix partition from the most significant digit downwards:
- * the digits that all points of a range share cost one pass of reading, and ranges of a few
- * points are sorted by insertion. O(n) for n points; uses a second array of the same size.
- * The result does not depend on the number of threads. Throws Interrupted; the points are then in
- * no particular order.
+ * Sorts coded points along the Morton curve as far as the leaves of a tree need it: leaf after leaf
+ * in the order of their keys, where a node is split while it holds more than maxPointsPerLeaf
+ * points, at least 1, and is not at maxDepth. In a leaf, points of equal keys stand by id, given
+ * that they come in the order of their ids; the others in an order that follows from the points and
+ * the limits alone, not from the number of threads. With one point per leaf and
+ * MortonKey::MaxDepth, all points stand by key, then by id.
+ *
+ * A radix partition from the root downwards, several depths at a time: depths that do not part the
+ * points of a node cost one pass of reading, and nodes of a few points are sorted by insertion.
+ * O(n) for n points; uses a second array of the same size. Throws Interrupted; the points are then
+ * in no particular order.
  */
 template <int Dim>
-void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, const Execution& execution);
+void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
+  int maxDepth, const Execution& execution);
 }
 
 #endif

@@ -21,7 +21,7 @@ Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const O
   this->RootGrid = Grid<Dim>(selection.GetBox());
   Buffer<CodedPoint<Dim>> coded =
     EncodePoints(points, selection, this->RootGrid, execution.Part(0.0, 0.2));
-  SortAlongMortonCurve(coded, execution.Part(0.2, 0.5));
+  SortAlongMortonCurve(coded, options.MaxPointsPerLeaf, options.MaxDepth, execution.Part(0.2, 0.5));
   OctreeBuilder<Dim>(*this, coded).Build(execution.Part(0.5, 1.0));
 }
 

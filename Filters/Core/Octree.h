@@ -128,7 +128,8 @@ public:
   std::size_t GetNumberOfLeaves(EmptyOctants reading = EmptyOctants::Leaves) const;
   std::size_t GetNumberOfEmptyLeaves() const;
 
-  /** Ids of the points in Morton order, equal keys by id: `GetNumberOfPoints()` values. */
+  /** Ids of the points in Morton order: leaf after leaf, in a leaf equal keys by id. See
+   * SortAlongMortonCurve(). `GetNumberOfPoints()` values. */
   const PointIndex* GetPointIds() const { return this->PointIds.GetData(); }
   /** The blocks, and the keys of their nodes, in the same order. */
   const Block& GetBlock(std::size_t block) const { return this->Blocks[block]; }

@@ -29,7 +29,8 @@ public:
         hashedoctree::EncodePoints(points, selection, this->RootGrid, hashedoctree::Execution()))
     , Bucket(static_cast<std::ptrdiff_t>(bucket))
   {
-    hashedoctree::SortAlongMortonCurve(this->Points, hashedoctree::Execution());
+    hashedoctree::SortAlongMortonCurve(
+      this->Points, bucket, Key::MaxDepth, hashedoctree::Execution());
   }
 
   const hashedoctree::Grid<Dim>& GetGrid() const { return this->RootGrid; }
