@@ -2,12 +2,14 @@
 #include "PointTree.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t Grain = 256; // Blocks that a thread does at a time.
+constexpr std::size_t Grain = 256;           // Blocks that a thread does at a time.
+constexpr std::size_t PrefetchDistance = 16; // Points ahead that are on the way from the input.
 
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
 template <int Dim>
@@ -56,8 +58,7 @@ PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelectio
   , OwnCoordinates(std::move(own))
   , Coordinates(others == nullptr ? this->OwnCoordinates.GetData() : others)
 {
-  this->CopyCoordinates(points, execution.Part(0.6, 0.8));
-  this->MeasureBoxes(execution.Part(0.8, 0.9));
+  this->CopyPoints(points, execution.Part(0.6, 0.9));
   if (this->Tree.IsRootInternal())
   {
     this->Free = FreeSpace<Dim>(this->Tree, this->Boxes);
@@ -88,69 +89,38 @@ std::size_t PointTree<Dim, Real>::GetBytes() const
   return bytes;
 }
 
+/** Copies the points of a leaf, which must not be empty, and returns the cells that they lie in. */
 template <int Dim, typename Real>
-void PointTree<Dim, Real>::CopyCoordinates(PointSpan<Dim, Real> points, const Execution& execution)
-{
-  if (!this->Tree.IsRootInternal())
-  {
-    this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
-    return;
-  }
-  execution.For(this->Tree.GetNumberOfInternalNodes(), Grain,
-    [&](std::size_t first, std::size_t last)
-    {
-      for (std::size_t block = first; block < last; ++block)
-      {
-        const auto& children = this->Tree.GetBlock(block);
-        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
-        {
-          if ((children.Internal >> octant & 1U) == 0)
-          {
-            this->CopyLeaf(points, children.FirstPoint[octant], children.FirstPoint[octant + 1]);
-          }
-        }
-      }
-    });
-}
-
-template <int Dim, typename Real>
-void PointTree<Dim, Real>::CopyLeaf(
+typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint)
 {
   const std::size_t count = lastPoint - firstPoint;
+  const std::size_t end = this->GetNumberOfPoints() - 1;
   Real* leaf = this->Coordinates + Dim * static_cast<std::size_t>(firstPoint);
+  std::array<Real, Dim> lower;
+  std::array<Real, Dim> upper;
+  lower.fill(std::numeric_limits<Real>::max());
+  upper.fill(std::numeric_limits<Real>::lowest());
   for (std::size_t i = 0; i < count; ++i)
   {
-    const Real* x = points[this->GetIds()[firstPoint + i]];
+    const Real* x = points[this->Ids[firstPoint + i]];
+    __builtin_prefetch(points[this->Ids[std::min(firstPoint + i + PrefetchDistance, end)]]);
     for (std::size_t axis = 0; axis < Dim; ++axis)
     {
       leaf[axis * count + i] = x[axis];
+      lower[axis] = std::min(lower[axis], x[axis]);
+      upper[axis] = std::max(upper[axis], x[axis]);
     }
   }
-}
-
-/** The cells of MaxDepth that the points of a leaf lie in. It must not be empty. */
-template <int Dim, typename Real>
-typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::MeasureLeaf(
-  PointIndex firstPoint, PointIndex lastPoint) const
-{
   const Grid<Dim>& grid = this->Tree.GetGrid();
-  const std::size_t count = lastPoint - firstPoint;
-  CellBox box;
-  for (int axis = 0; axis < Dim; ++axis)
-  {
-    const Real* x = this->GetLeafCoordinates(firstPoint) + static_cast<std::size_t>(axis) * count;
-    const auto [lower, upper] = std::minmax_element(x, x + count);
-    box.Lower[axis] = grid.GetCellCoordinate(static_cast<double>(*lower), axis);
-    box.Upper[axis] = grid.GetCellCoordinate(static_cast<double>(*upper), axis);
-  }
-  return box;
+  return CellBox{ grid.GetCell(lower), grid.GetCell(upper) };
 }
 
-/** Fills the boxes of the children of a block, its own, and its fork, when those of its internal
- * children are there. */
+/** Copies the points of the leaves of a block, and fills the boxes of its children, its own, and
+ * its fork, when those of its internal children are there. */
 template <int Dim, typename Real>
-void PointTree<Dim, Real>::MeasureBoxesOf(std::size_t block, Buffer<CellBox>& blockBoxes)
+void PointTree<Dim, Real>::CopyPointsOf(
+  std::size_t block, PointSpan<Dim, Real> points, Buffer<CellBox>& blockBoxes)
 {
   const auto& children = this->Tree.GetBlock(block);
   const int depth = this->Tree.GetBlockKey(block).GetDepth();
@@ -165,7 +135,7 @@ void PointTree<Dim, Real>::MeasureBoxesOf(std::size_t block, Buffer<CellBox>& bl
     }
     const CellBox box = (children.Internal >> octant & 1U) != 0
       ? blockBoxes[Octree<Dim>::GetChildBlock(children, octant)]
-      : this->MeasureLeaf(children.FirstPoint[octant], children.FirstPoint[octant + 1]);
+      : this->CopyLeaf(points, children.FirstPoint[octant], children.FirstPoint[octant + 1]);
     for (int axis = 0; axis < Dim; ++axis)
     {
       this->Boxes[block].Lower[axis][octant] = GetStep<Dim>(box.Lower[axis], depth);
@@ -180,8 +150,16 @@ void PointTree<Dim, Real>::MeasureBoxesOf(std::size_t block, Buffer<CellBox>& bl
 }
 
 template <int Dim, typename Real>
-void PointTree<Dim, Real>::MeasureBoxes(const Execution& execution)
+void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Execution& execution)
 {
+  if (!this->Tree.IsRootInternal())
+  {
+    if (this->GetNumberOfPoints() > 0)
+    {
+      this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
+    }
+    return;
+  }
   const std::size_t numberOfBlocks = this->Tree.GetNumberOfInternalNodes();
   this->Boxes = Buffer<ChildBoxes<Dim>>(numberOfBlocks);
   this->Forks = Buffer<std::uint32_t>(numberOfBlocks);
@@ -199,7 +177,7 @@ void PointTree<Dim, Real>::MeasureBoxes(const Execution& execution)
       {
         for (std::size_t block = first + from; block < first + to; ++block)
         {
-          this->MeasureBoxesOf(block, blockBoxes);
+          this->CopyPointsOf(block, points, blockBoxes);
         }
       },
       static_cast<double>(numberOfBlocks - last) / static_cast<double>(numberOfBlocks),

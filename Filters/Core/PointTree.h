@@ -54,7 +54,7 @@ public:
   {
     return this->Coordinates + Dim * static_cast<std::size_t>(firstPoint);
   }
-  /** Ids of all points in Morton order, equal keys by id. */
+  /** Ids of all points, as Octree::GetPointIds(). */
   const PointIndex* GetIds() const { return this->Ids; }
   const ChildBoxes<Dim>& GetChildBoxes(std::size_t block) const { return this->Boxes[block]; }
   /** What measures the distances to coordinates and boxes. */
@@ -84,11 +84,9 @@ private:
   PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
     const Options& options, const Execution& execution, Buffer<Real> own, Real* others);
 
-  void CopyCoordinates(PointSpan<Dim, Real> points, const Execution& execution);
-  void CopyLeaf(PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint);
-  void MeasureBoxes(const Execution& execution);
-  void MeasureBoxesOf(std::size_t block, Buffer<CellBox>& blockBoxes);
-  CellBox MeasureLeaf(PointIndex firstPoint, PointIndex lastPoint) const;
+  void CopyPoints(PointSpan<Dim, Real> points, const Execution& execution);
+  void CopyPointsOf(std::size_t block, PointSpan<Dim, Real> points, Buffer<CellBox>& blockBoxes);
+  CellBox CopyLeaf(PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint);
   std::size_t FindFirstBlockAt(int depth) const;
   void BuildNested(PointSpan<Dim, Real> points, const Execution& execution);
   void BuildNestedIn(
