@@ -17,6 +17,7 @@ Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& s
   execution.For(numberOfChunks, 1,
     [&](std::size_t firstChunk, std::size_t lastChunk)
     {
+      const bool keepsAll = selection.KeepsAll();
       std::array<Cell<Dim>, blockSize> cells;
       std::array<MortonKey<Dim>, blockSize> keys;
       std::size_t next = selection.GetFirstOfChunk(firstChunk);
@@ -28,7 +29,7 @@ Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& s
         for (std::size_t i = block; i < end; ++i)
         {
           const auto x = points[i];
-          if (selection.Keeps(x))
+          if (keepsAll || selection.Keeps(x))
           {
             coded[next + kept].Id = static_cast<PointIndex>(i);
             cells[kept] = grid.GetCell(x);

@@ -59,13 +59,19 @@ private:
   DepthRange GetInternalNodesAt(std::size_t i) const
   {
     const std::size_t bucket = this->Tree.BuildOptions.MaxPointsPerLeaf;
-    const Key key = this->Points[i].Key;
     DepthRange depths{ 0, -1 };
-    if (bucket < this->Points.GetSize() - i)
+    if (bucket >= this->Points.GetSize() - i)
     {
-      depths.Last = std::min(Key::GetCommonDepth(key, this->Points[i + bucket].Key),
-        this->Tree.BuildOptions.MaxDepth - 1);
-      depths.First = i == 0 ? 0 : Key::GetCommonDepth(this->Points[i - 1].Key, key) + 1;
+      return depths;
+    }
+    const Key key = this->Points[i].Key;
+    const Key after = this->Points[i + bucket].Key;
+    const Key before = i == 0 ? Key() : this->Points[i - 1].Key;
+    // Says no for most points, at once.
+    if ((key.GetValue() ^ after.GetValue()) < (key.GetValue() ^ before.GetValue()))
+    {
+      depths.Last = std::min(Key::GetCommonDepth(key, after), this->Tree.BuildOptions.MaxDepth - 1);
+      depths.First = i == 0 ? 0 : Key::GetCommonDepth(before, key) + 1;
     }
     return depths;
   }

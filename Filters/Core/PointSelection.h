@@ -83,6 +83,8 @@ public:
   /** How many points are kept before those of this chunk. */
   std::size_t GetFirstOfChunk(std::size_t chunk) const { return this->FirstOfChunk[chunk]; }
 
+  /** Whether all points take part. */
+  bool KeepsAll() const { return this->Skipped == 0 && this->Outside == 0; }
   /** Whether a point, the value of a span, takes part. Pure. */
   template <typename Coordinates>
   bool Keeps(const Coordinates& x) const
