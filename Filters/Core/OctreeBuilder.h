@@ -29,6 +29,7 @@ public:
     , Points(points)
     , NumberOfChunks((points.GetSize() + ChunkSize - 1) / ChunkSize)
     , NodesBefore(NumberOfChunks + 1)
+    , FirstPoints(NumberOfChunks)
   {
   }
 
@@ -89,8 +90,8 @@ private:
       });
   }
 
-  /** Fills NodesBefore: where the nodes of each depth begin in the order of the blocks, chunk by
-   * chunk of points. Also copies the ids, since it reads all points anyway. */
+  /** Fills FirstPoints, and NodesBefore: where the nodes of each depth begin in the order of the
+   * blocks, chunk by chunk of points. Also copies the ids, since it reads all points anyway. */
   void CountNodes(const Execution& execution)
   {
     const std::size_t numberOfPoints = this->Points.GetSize();
@@ -103,6 +104,10 @@ private:
         {
           this->Tree.PointIds[i] = this->Points[i].Id;
           const DepthRange depths = this->GetInternalNodesAt(i);
+          if (depths.First <= depths.Last)
+          {
+            this->FirstPoints[chunk].push_back(static_cast<PointIndex>(i));
+          }
           for (int depth = depths.First; depth <= depths.Last; ++depth)
           {
             ++counts[static_cast<std::size_t>(depth)];
@@ -134,10 +139,10 @@ private:
   void PlaceNodes(const Execution& execution)
   {
     this->ForChunks(this->Points.GetSize(), execution,
-      [this](std::size_t chunk, std::size_t first, std::size_t last)
+      [this](std::size_t chunk, std::size_t, std::size_t)
       {
         PerDepth next = this->NodesBefore[chunk];
-        for (std::size_t i = first; i < last; ++i)
+        for (const PointIndex i : this->FirstPoints[chunk])
         {
           const DepthRange depths = this->GetInternalNodesAt(i);
           for (int depth = depths.First; depth <= depths.Last; ++depth)
@@ -145,7 +150,7 @@ private:
             const auto d = static_cast<std::size_t>(depth);
             const std::size_t node = next[d]++;
             this->Tree.BlockKeys[node] = this->Points[i].Key.AtDepth(depth);
-            this->Tree.Blocks[node].FirstPoint[0] = static_cast<PointIndex>(i);
+            this->Tree.Blocks[node].FirstPoint[0] = i;
             // Internal children begin here or later, and all earlier ones have other parents.
             this->Tree.Blocks[node].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
           }
@@ -319,6 +324,7 @@ private:
   const Buffer<CodedPoint<Dim>>& Points;
   std::size_t NumberOfChunks;
   std::vector<PerDepth> NodesBefore;
+  std::vector<std::vector<PointIndex>> FirstPoints; ///< Where internal nodes begin, by chunk.
 };
 }
 
