@@ -34,6 +34,7 @@ vtkStandardNewMacro(vtkHashedOctreePointLocator);
 namespace
 {
 constexpr int MaxDepthOfKeys = MortonKey<3>::MaxDepth;
+constexpr std::size_t PointsPerThread = 32768; // Fewer take less time than a thread takes to come.
 
 /** The calling thread's own memory for what one query finds, so that most queries allocate none. */
 template <typename T>
@@ -273,7 +274,8 @@ void vtkHashedOctreePointLocator::FillIndex()
   points.Visit(
     [&](auto span)
     {
-      ThreadTeam::Run(threads, static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads()),
+      const auto available = static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+      ThreadTeam::Run(threads, std::min(available, 1 + span.Count / PointsPerThread),
         [&](const Execution& execution) { build(span, execution); });
     });
   if (skipped > 0)

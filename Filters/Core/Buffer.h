@@ -39,12 +39,16 @@ public:
     if (size > 0)
     {
       const std::size_t bytes = size * sizeof(T) + alignof(T) - 1;
-      this->Allocation.reset(memory == Memory::Zeroed ? std::calloc(bytes, 1) : std::malloc(bytes));
+      this->Allocation.reset(
+        memory == Memory::Zeroed ? std::calloc(bytes, 1) : AllocateInLargePages(bytes));
       if (!this->Allocation)
       {
         throw std::bad_alloc();
       }
-      UseLargePages(this->Allocation.get(), bytes);
+      if (memory == Memory::Zeroed)
+      {
+        UseLargePages(this->Allocation.get(), bytes);
+      }
       void* aligned = this->Allocation.get();
       std::size_t space = bytes;
       this->Values = static_cast<T*>(std::align(alignof(T), size * sizeof(T), aligned, space));

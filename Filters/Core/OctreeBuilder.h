@@ -45,7 +45,8 @@ private:
   using Key = MortonKey<Dim>;
   using Block = typename Octree<Dim>::Block;
   using Entry = typename Octree<Dim>::Entry;
-  static constexpr std::size_t ChunkSize = 8192; ///< Points or nodes that a thread does at a time.
+  static constexpr std::size_t ChunkSize = 8192;    ///< Points that a thread does at a time.
+  static constexpr std::size_t NodeChunkSize = 512; ///< And nodes.
   static constexpr int NumberOfDepths = Key::MaxDepth + 1;
 
   /** One number for each depth. */
@@ -78,14 +79,15 @@ private:
   }
 
   template <typename Function>
-  void ForChunks(std::size_t count, const Execution& execution, const Function& function) const
+  void ForChunks(std::size_t count, std::size_t chunkSize, const Execution& execution,
+    const Function& function) const
   {
-    execution.For((count + ChunkSize - 1) / ChunkSize, 1,
+    execution.For((count + chunkSize - 1) / chunkSize, 1,
       [&](std::size_t firstChunk, std::size_t lastChunk)
       {
         for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
         {
-          function(chunk, chunk * ChunkSize, std::min(count, (chunk + 1) * ChunkSize));
+          function(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize));
         }
       });
   }
@@ -96,7 +98,7 @@ private:
   {
     const std::size_t numberOfPoints = this->Points.GetSize();
     this->Tree.PointIds = Buffer<PointIndex>(numberOfPoints);
-    this->ForChunks(numberOfPoints, execution,
+    this->ForChunks(numberOfPoints, ChunkSize, execution,
       [this](std::size_t chunk, std::size_t first, std::size_t last)
       {
         PerDepth counts{};
@@ -138,7 +140,7 @@ private:
   /** Gives each internal node its key, its first point and its first child. */
   void PlaceNodes(const Execution& execution)
   {
-    this->ForChunks(this->Points.GetSize(), execution,
+    this->ForChunks(this->Points.GetSize(), ChunkSize, execution,
       [this](std::size_t chunk, std::size_t, std::size_t)
       {
         PerDepth next = this->NodesBefore[chunk];
@@ -163,8 +165,8 @@ private:
   void DescribeChildren(const Execution& execution)
   {
     const std::size_t numberOfNodes = this->Tree.GetNumberOfInternalNodes();
-    std::vector<DepthTally> tallies((numberOfNodes + ChunkSize - 1) / ChunkSize);
-    this->ForChunks(numberOfNodes, execution,
+    std::vector<DepthTally> tallies((numberOfNodes + NodeChunkSize - 1) / NodeChunkSize);
+    this->ForChunks(numberOfNodes, NodeChunkSize, execution,
       [this, &tallies](std::size_t chunk, std::size_t first, std::size_t last)
       {
         DepthTally tally{};

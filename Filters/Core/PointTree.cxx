@@ -8,7 +8,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t Grain = 256;           // Blocks that a thread does at a time.
+constexpr std::size_t Grain = 32;            // Blocks that a thread does at a time.
 constexpr std::size_t PrefetchDistance = 16; // Points ahead that are on the way from the input.
 
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
@@ -29,6 +29,15 @@ std::uint8_t GetLastStep(std::uint32_t cell, int depth)
   const std::uint64_t within = (cell & ((std::uint64_t(1) << shift) - 1)) + 1;
   return static_cast<std::uint8_t>((within * ChildBoxes<Dim>::Steps - 1) >> shift);
 }
+
+template <int Dim, typename Real>
+Buffer<Real> MakeCoordinates(std::size_t numberOfPoints)
+{
+  constexpr std::size_t padding = DistanceKernels<Dim, Real>::Padding;
+  Buffer<Real> coordinates(Dim * numberOfPoints + padding);
+  std::fill_n(&coordinates[Dim * numberOfPoints], padding, Real(0));
+  return coordinates;
+}
 }
 
 /** Cells of MaxDepth between two corners, both of them included. */
@@ -43,9 +52,7 @@ template <int Dim, typename Real>
 PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
   const Options& options, const Execution& execution)
   : PointTree(points, selection, options, execution,
-      Buffer<Real>(
-        Dim * selection.GetNumberOfPoints() + DistanceKernels<Dim, Real>::Padding, Memory::Zeroed),
-      nullptr)
+      MakeCoordinates<Dim, Real>(selection.GetNumberOfPoints()), nullptr)
 {
 }
 
