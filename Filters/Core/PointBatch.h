@@ -2,16 +2,18 @@
 #ifndef hashedoctree_PointBatch_h
 #define hashedoctree_PointBatch_h
 
-#include "Execution.h"
+#include "BatchOrder.h"
 #include "PointSearch.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hashedoctree
 {
 /**
  * Many searches at once, shared out among the threads of an execution, with progress. Each search
- * finds what PointSearch finds, whatever the number of threads. Members throw Interrupted.
+ * finds what PointSearch finds, whatever the number of threads. Positions are taken in a
+ * BatchOrder. Members throw Interrupted.
  */
 template <int Dim, typename Real>
 class PointBatch
@@ -19,7 +21,8 @@ class PointBatch
 public:
   /** The tree must outlive the batch. */
   PointBatch(const PointTree<Dim, Real>& tree, const Execution& execution)
-    : Search(tree)
+    : Tree(tree)
+    , Search(tree)
     , Threads(execution)
   {
   }
@@ -32,21 +35,26 @@ public:
   template <typename Real2, typename Id>
   void FindClosest(PointSpan<Dim, Real2> positions, std::size_t count, Id* ids, double* dist2) const
   {
-    this->Threads.For(positions.Count, Grain,
-      [&](std::size_t first, std::size_t last)
+    this->ForOrders(positions,
+      [&](const BatchOrder<Dim>& order, const Execution& execution)
       {
-        std::vector<FoundPoint> found;
-        for (std::size_t i = first; i < last; ++i)
-        {
-          this->FindClosestTo(GetPosition<Dim>(positions, i), count, found);
-          for (std::size_t j = 0; j < count; ++j)
+        execution.For(order.GetCount(), Grain,
+          [&](std::size_t first, std::size_t last)
           {
-            const bool exists = j < found.size();
-            ids[i * count + j] = exists ? static_cast<Id>(found[j].Id) : Id(-1);
-            dist2[i * count + j] =
-              exists ? found[j].Dist2 : std::numeric_limits<double>::infinity();
-          }
-        }
+            std::vector<FoundPoint> found;
+            for (std::size_t place = first; place < last; ++place)
+            {
+              const std::size_t i = order[place];
+              this->FindClosestTo(GetPosition<Dim>(positions, i), count, found);
+              for (std::size_t j = 0; j < count; ++j)
+              {
+                const bool exists = j < found.size();
+                ids[i * count + j] = exists ? static_cast<Id>(found[j].Id) : Id(-1);
+                dist2[i * count + j] =
+                  exists ? found[j].Dist2 : std::numeric_limits<double>::infinity();
+              }
+            }
+          });
       });
   }
 
@@ -62,20 +70,31 @@ public:
     void CopyTo(Id* offsets, Id* ids, double* dist2) const
     {
       std::copy(this->Offsets.begin(), this->Offsets.end(), offsets);
-      for (const std::vector<FoundPoint>& chunk : this->Chunks)
+      for (const Slice& slice : this->Slices)
       {
-        for (const FoundPoint& point : chunk)
+        const FoundPoint* point = nullptr;
+        for (std::size_t place = 0; place < slice.Order.GetCount(); ++place)
         {
-          *ids++ = static_cast<Id>(point.Id);
-          *dist2++ = point.Dist2;
+          point = place % Grain == 0 ? slice.Chunks[place / Grain].data() : point;
+          const std::size_t i = slice.Order[place];
+          for (std::size_t at = this->Offsets[i]; at < this->Offsets[i + 1]; ++at, ++point)
+          {
+            ids[at] = static_cast<Id>(point->Id);
+            dist2[at] = point->Dist2;
+          }
         }
       }
     }
 
   private:
     friend class PointBatch;
+    struct Slice
+    {
+      BatchOrder<Dim> Order;
+      std::vector<std::vector<FoundPoint>> Chunks; ///< Of Grain positions each, in that order.
+    };
     std::vector<std::size_t> Offsets;
-    std::vector<std::vector<FoundPoint>> Chunks; ///< Of Grain positions each.
+    std::vector<Slice> Slices;
   };
 
   /** The points within a radius of each position, those at it included, by distance, then by id. */
@@ -84,22 +103,26 @@ public:
   {
     Lists lists;
     lists.Offsets.assign(positions.Count + 1, 0);
-    lists.Chunks.resize((positions.Count + Grain - 1) / Grain);
-    this->Threads.For(lists.Chunks.size(), 1,
-      [&](std::size_t firstChunk, std::size_t lastChunk)
+    this->ForOrders(positions,
+      [&](BatchOrder<Dim>& order, const Execution& execution)
       {
-        std::vector<FoundPoint> found;
-        for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
-        {
-          const std::size_t last = std::min(positions.Count, (chunk + 1) * Grain);
-          for (std::size_t i = chunk * Grain; i < last; ++i)
+        std::vector<std::vector<FoundPoint>> chunks((order.GetCount() + Grain - 1) / Grain);
+        execution.For(chunks.size(), 1,
+          [&](std::size_t firstChunk, std::size_t lastChunk)
           {
-            this->Search.FindWithin(GetPosition<Dim>(positions, i), radius, found);
-            std::sort(found.begin(), found.end());
-            lists.Offsets[i + 1] = found.size();
-            lists.Chunks[chunk].insert(lists.Chunks[chunk].end(), found.begin(), found.end());
-          }
-        }
+            std::vector<FoundPoint> found;
+            const std::size_t last = std::min(order.GetCount(), lastChunk * Grain);
+            for (std::size_t place = firstChunk * Grain; place < last; ++place)
+            {
+              const std::size_t i = order[place];
+              std::vector<FoundPoint>& chunk = chunks[place / Grain];
+              this->Search.FindWithin(GetPosition<Dim>(positions, i), radius, found);
+              std::sort(found.begin(), found.end());
+              lists.Offsets[i + 1] = found.size();
+              chunk.insert(chunk.end(), found.begin(), found.end());
+            }
+          });
+        lists.Slices.push_back({ std::move(order), std::move(chunks) });
       });
     std::size_t sum = 0;
     for (std::size_t& offset : lists.Offsets)
@@ -112,6 +135,22 @@ public:
 
 private:
   static constexpr std::size_t Grain = 512; ///< Positions that a thread does at a time.
+
+  /** Calls function(order, execution) for the positions, a slice that can be ordered at a time. */
+  template <typename Positions, typename Function>
+  void ForOrders(const Positions& positions, const Function& function) const
+  {
+    constexpr std::size_t most = BatchOrder<Dim>::MostPositions;
+    for (std::size_t first = 0; first < positions.Count; first += most)
+    {
+      const std::size_t last = std::min(positions.Count, first + most);
+      const auto all = static_cast<double>(positions.Count);
+      const Execution part =
+        this->Threads.Part(static_cast<double>(first) / all, static_cast<double>(last) / all);
+      BatchOrder<Dim> order(this->Tree, positions, first, last, part.Part(0.0, 0.2));
+      function(order, part.Part(0.2, 1.0));
+    }
+  }
 
   void FindClosestTo(
     const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const
@@ -127,6 +166,7 @@ private:
     }
   }
 
+  const PointTree<Dim, Real>& Tree;
   PointSearch<Dim, Real> Search;
   const Execution& Threads;
 };

@@ -10,52 +10,93 @@ using namespace hashedoctree;
 
 namespace
 {
+constexpr std::size_t Few = 4000;    // Positions are taken as they come,
+constexpr std::size_t Many = 150000; // and along the Morton curve.
+
 /** A tree of uniform points, and positions to ask for, two of them nowhere. */
 struct Batch
 {
-  std::vector<float> Coordinates = MakeUniformPoints<3, float>(4000, 221);
-  std::vector<double> Positions = MakeUniformPoints<3, double>(1500, 222, -0.2, 1.2);
+  std::vector<float> Coordinates;
+  std::vector<double> Positions;
   PointTree<3, float> Tree;
 
-  Batch()
+  explicit Batch(std::size_t numberOfPoints, std::size_t numberOfPositions = 1500)
+    : Coordinates(MakeUniformPoints<3, float>(numberOfPoints, 221))
+    , Positions(MakeUniformPoints<3, double>(numberOfPositions, 222, -0.2, 1.2))
   {
     this->Positions[3 * 7] = NAN;
     this->Positions[3 * 700 + 2] = INFINITY;
-    const PointSpan<3, float> points{ this->Coordinates.data(), 4000 };
+    const PointSpan<3, float> points{ this->Coordinates.data(), numberOfPoints };
     this->Tree = PointTree<3, float>(
       points, PointSelection<3>(points, {}, Execution()), { 16, 21 }, Execution());
   }
-  PointSpan<3, double> GetSpan() const { return { this->Positions.data(), 1500 }; }
+  PointSpan<3, double> GetSpan() const
+  {
+    return { this->Positions.data(), this->Positions.size() / 3 };
+  }
   Position<3> GetPosition(std::size_t i) const
   {
     return { this->GetSpan()[i][0], this->GetSpan()[i][1], this->GetSpan()[i][2] };
   }
 };
+
+void ExpectClosest(const Batch& batch, std::size_t count, const Execution& execution)
+{
+  const std::size_t numberOfPositions = batch.GetSpan().Count;
+  std::vector<long long> ids(numberOfPositions * count, 77);
+  std::vector<double> dist2(numberOfPositions * count, 77.0);
+  PointBatch(batch.Tree, execution).FindClosest(batch.GetSpan(), count, ids.data(), dist2.data());
+  const PointSearch<3, float> search(batch.Tree);
+  for (std::size_t i = 0; i < numberOfPositions; ++i)
+  {
+    std::vector<FoundPoint> found;
+    search.FindClosest(batch.GetPosition(i), count, found);
+    ASSERT_EQ(found.empty(), i == 7 || i == 700);
+    for (std::size_t j = 0; j < count; ++j)
+    {
+      ASSERT_EQ(ids[i * count + j], found.empty() ? -1LL : found[j].Id);
+      ASSERT_EQ(dist2[i * count + j], found.empty() ? INFINITY : found[j].Dist2);
+    }
+  }
+}
+
+void ExpectWithin(const Batch& batch, double radius, const Execution& execution)
+{
+  const std::size_t numberOfPositions = batch.GetSpan().Count;
+  const auto lists = PointBatch(batch.Tree, execution).FindWithin(batch.GetSpan(), radius);
+  std::vector<long long> offsets(numberOfPositions + 1);
+  std::vector<long long> ids(lists.GetNumberOfPoints());
+  std::vector<double> dist2(lists.GetNumberOfPoints());
+  lists.CopyTo(offsets.data(), ids.data(), dist2.data());
+  EXPECT_EQ(offsets[0], 0);
+  EXPECT_EQ(static_cast<std::size_t>(offsets[numberOfPositions]), ids.size());
+  const PointSearch<3, float> search(batch.Tree);
+  for (std::size_t i = 0; i < numberOfPositions; ++i)
+  {
+    std::vector<FoundPoint> found;
+    search.FindWithin(batch.GetPosition(i), radius, found);
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(static_cast<std::size_t>(offsets[i + 1] - offsets[i]), found.size());
+    for (std::size_t j = 0; j < found.size(); ++j)
+    {
+      const std::size_t place = static_cast<std::size_t>(offsets[i]) + j;
+      ASSERT_EQ(ids[place], found[j].Id);
+      ASSERT_EQ(dist2[place], found[j].Dist2);
+    }
+  }
+}
 }
 
 TEST(TestPointBatch, FindsTheClosestThatSingleSearchesFind)
 {
-  const Batch batch;
-  const PointSearch<3, float> search(batch.Tree);
-  for (const unsigned threads : { 1U, 3U })
+  for (const std::size_t numberOfPoints : { Few, Many })
   {
-    const Execution execution(OnThreads(threads));
-    for (const std::size_t count : { 1U, 5U, 80U })
+    const Batch batch(numberOfPoints);
+    for (const unsigned threads : { 1U, 3U })
     {
-      std::vector<long long> ids(1500 * count, 77);
-      std::vector<double> dist2(1500 * count, 77.0);
-      PointBatch(batch.Tree, execution)
-        .FindClosest(batch.GetSpan(), count, ids.data(), dist2.data());
-      for (std::size_t i = 0; i < 1500; ++i)
+      for (const std::size_t count : { 1U, 5U, 80U })
       {
-        std::vector<FoundPoint> found;
-        search.FindClosest(batch.GetPosition(i), count, found);
-        EXPECT_EQ(found.empty(), i == 7 || i == 700);
-        for (std::size_t j = 0; j < count; ++j)
-        {
-          ASSERT_EQ(ids[i * count + j], found.empty() ? -1LL : found[j].Id);
-          ASSERT_EQ(dist2[i * count + j], found.empty() ? INFINITY : found[j].Dist2);
-        }
+        ExpectClosest(batch, count, Execution(OnThreads(threads)));
       }
     }
   }
@@ -63,37 +104,39 @@ TEST(TestPointBatch, FindsTheClosestThatSingleSearchesFind)
 
 TEST(TestPointBatch, FindsWithinWhatSingleSearchesFind)
 {
-  const Batch batch;
-  const PointSearch<3, float> search(batch.Tree);
-  for (const unsigned threads : { 1U, 3U })
+  for (const std::size_t numberOfPoints : { Few, Many })
   {
-    const Execution execution(OnThreads(threads));
-    const auto lists = PointBatch(batch.Tree, execution).FindWithin(batch.GetSpan(), 0.1);
-    std::vector<long long> offsets(1501);
-    std::vector<long long> ids(lists.GetNumberOfPoints());
-    std::vector<double> dist2(lists.GetNumberOfPoints());
-    lists.CopyTo(offsets.data(), ids.data(), dist2.data());
-    EXPECT_EQ(offsets[0], 0);
-    EXPECT_EQ(static_cast<std::size_t>(offsets[1500]), ids.size());
-    for (std::size_t i = 0; i < 1500; ++i)
+    const Batch batch(numberOfPoints);
+    for (const unsigned threads : { 1U, 3U })
     {
-      std::vector<FoundPoint> found;
-      search.FindWithin(batch.GetPosition(i), 0.1, found);
-      std::sort(found.begin(), found.end());
-      ASSERT_EQ(static_cast<std::size_t>(offsets[i + 1] - offsets[i]), found.size());
-      for (std::size_t j = 0; j < found.size(); ++j)
-      {
-        const std::size_t place = static_cast<std::size_t>(offsets[i]) + j;
-        ASSERT_EQ(ids[place], found[j].Id);
-        ASSERT_EQ(dist2[place], found[j].Dist2);
-      }
+      ExpectWithin(batch, numberOfPoints == Few ? 0.1 : 0.03, Execution(OnThreads(threads)));
     }
   }
 }
 
+TEST(TestPointBatch, TakesMorePositionsThanAreOrderedAtATime)
+{
+  const Batch batch(Many, BatchOrder<3>::MostPositions + 900);
+  ExpectClosest(batch, 1, Execution(OnThreads(2)));
+  ExpectWithin(batch, 0.004, Execution(OnThreads(2)));
+}
+
+TEST(TestPointBatch, OfNoPositionsIsEmpty)
+{
+  const Batch batch(Few);
+  const Execution execution;
+  const PointSpan<3, double> none{ nullptr, 0 };
+  PointBatch(batch.Tree, execution).FindClosest<double, long long>(none, 5, nullptr, nullptr);
+  long long offset = 77;
+  const auto lists = PointBatch(batch.Tree, execution).FindWithin(none, 1.0);
+  lists.CopyTo<long long>(&offset, nullptr, nullptr);
+  EXPECT_EQ(lists.GetNumberOfPoints(), 0U);
+  EXPECT_EQ(offset, 0);
+}
+
 TEST(TestPointBatch, CanBeInterrupted)
 {
-  const Batch batch;
+  const Batch batch(Few);
   const Execution execution(OnThreads(1), [](double) { return false; });
   const PointBatch search(batch.Tree, execution);
   std::vector<long long> ids(1500);
