@@ -46,6 +46,7 @@ public:
       if (this->Id == nullptr || *id < *this->Id)
       {
         this->Id = id;
+        __builtin_prefetch(id); // While the search goes on.
       }
     }
   }
