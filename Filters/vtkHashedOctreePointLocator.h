@@ -166,8 +166,8 @@ public:
    *   positions.
    *
    * In large trees positions from all over are taken along the Morton curve, a million at a time:
-   * what one search has loaded is there for the next, which makes a batch several times as fast as
-   * single calls. It takes up to 32 bytes for each of that million in the meantime.
+   * what one search has loaded is there for the next. That takes up to 32 bytes for each of that
+   * million in the meantime.
    *
    * Call from one thread at a time; builds the tree if it must.
    */

@@ -21,9 +21,10 @@ enum class Memory
 };
 
 /**
- * An array of plain values whose size is fixed, for arrays too large to be written twice: its pages
- * are first touched by the threads that fill it, and zeroed ones come from the system as they are
- * touched. It can be moved, not copied. Throws std::bad_alloc. Use std::vector for anything small.
+ * An array of plain values whose size is fixed, for arrays so large that writing them counts: its
+ * pages are first touched by the threads that fill it, and zeroed ones come from the system as they
+ * are touched. It can be moved, not copied. Throws std::bad_alloc. Use std::vector for anything
+ * small.
  */
 template <typename T>
 class Buffer
