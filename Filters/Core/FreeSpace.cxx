@@ -43,11 +43,11 @@ typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
     {
       break;
     }
-    const auto& children = tree.GetBlock(block);
+    const auto octants = tree.GetOctants(block);
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
-      const bool isLeaf = (children.Internal >> octant & 1U) == 0;
-      if ((children.Occupied >> octant & 1U) == 0 || (!isLeaf && levels > 1))
+      const bool isLeaf = (octants.Internal >> octant & 1U) == 0;
+      if ((octants.Occupied >> octant & 1U) == 0 || (!isLeaf && levels > 1))
       {
         continue;
       }

@@ -112,7 +112,7 @@ private:
       this->Require(child.FirstPoint == next && child.LastPoint >= next,
         "ranges partition the points", node.NodeKey);
       next = child.LastPoint;
-      this->Walk(child, Octree<Dim>::GetChildBlock(this->Tree.GetBlock(block), octant));
+      this->Walk(child, this->Tree.GetChildBlock(block, octant));
     }
     this->Require(next == node.LastPoint, "ranges partition the points", node.NodeKey);
   }
@@ -166,8 +166,9 @@ private:
         this->Require(
           (below != nullptr) == child.Internal, "the table finds nothing else", child.NodeKey);
       }
-      this->Require(entry != nullptr && entry->Internal == this->Tree.GetBlock(block).Internal &&
-          entry->Occupied == occupied && this->Tree.GetBlock(block).Occupied == occupied,
+      const auto octants = this->Tree.GetOctants(block);
+      this->Require(entry != nullptr && entry->Internal == octants.Internal &&
+          entry->Occupied == occupied && octants.Occupied == occupied,
         "keys and masks agree", key);
     }
   }

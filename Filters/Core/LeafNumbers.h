@@ -26,33 +26,30 @@ public:
     for (std::size_t block = 0; block < this->First.GetSize(); ++block)
     {
       this->First[block] = number;
-      number += CountOctants(this->GetLeaves(tree.GetBlock(block)));
+      number += CountOctants(this->GetLeaves(tree.GetOctants(block)));
     }
-  }
-
-  /** The number of a leaf that has one, given the block that describes it. */
-  PointIndex Get(
-    const typename Octree<Dim>::Block& block, std::size_t blockNumber, unsigned octant) const
-  {
-    return this->First[blockNumber] + CountOctants(this->GetLeaves(block) & ((1U << octant) - 1U));
   }
 
   /** The number of a leaf that exists, as found by a search in the tree in the same reading. */
   PointIndex Get(const Octree<Dim>& tree, const FoundLeaf<Dim>& leaf) const
   {
-    return tree.IsRootInternal()
-      ? this->Get(tree.GetBlock(leaf.ParentBlock), leaf.ParentBlock, leaf.Key.GetOctant())
-      : 0;
+    if (!tree.IsRootInternal())
+    {
+      return 0;
+    }
+    const std::uint32_t before = (1U << leaf.Key.GetOctant()) - 1U;
+    return this->First[leaf.ParentBlock] +
+      CountOctants(this->GetLeaves(tree.GetOctants(leaf.ParentBlock)) & before);
   }
 
   std::size_t GetBytes() const { return this->First.GetBytes(); }
 
 private:
-  std::uint32_t GetLeaves(const typename Octree<Dim>::Block& block) const
+  std::uint32_t GetLeaves(typename Octree<Dim>::Octants octants) const
   {
     constexpr std::uint32_t all = (1U << Octree<Dim>::NumberOfOctants) - 1U;
-    return (this->Reading == EmptyOctants::Leaves ? all : block.Occupied) &
-      ~static_cast<std::uint32_t>(block.Internal);
+    return (this->Reading == EmptyOctants::Leaves ? all : octants.Occupied) &
+      ~static_cast<std::uint32_t>(octants.Internal);
   }
 
   Buffer<PointIndex> First;

@@ -52,7 +52,7 @@ typename Octree<Dim>::Node Octree<Dim>::GetChild(std::size_t block, unsigned oct
 {
   const Block& parent = this->Blocks[block];
   return Node{ this->BlockKeys[block].GetChild(octant), parent.FirstPoint[octant],
-    parent.FirstPoint[octant + 1], (parent.Internal >> octant & 1U) != 0 };
+    parent.FirstPoint[octant + 1], (this->BlockOctants[block].Internal >> octant & 1U) != 0 };
 }
 
 template <int Dim>

@@ -68,12 +68,17 @@ public:
     int MaxDepth = Key::MaxDepth;     ///< In [0, MortonKey::MaxDepth].
   };
 
-  /** The children of an internal node. */
+  /** Which children an internal node has. */
+  struct Octants
+  {
+    OctantMask<Dim> Internal; ///< Those that are internal nodes.
+    OctantMask<Dim> Occupied; ///< Those that hold points.
+  };
+
+  /** Where the children of an internal node are. The octants are not in it: it would be padded. */
   struct Block
   {
     std::uint32_t FirstChild; ///< Block of the first internal child; no meaning when there is none.
-    OctantMask<Dim> Internal; ///< Children that are internal nodes.
-    OctantMask<Dim> Occupied; ///< Children that hold points.
     std::array<PointIndex, NumberOfOctants + 1> FirstPoint; ///< Where each range begins and ends.
   };
 
@@ -81,8 +86,8 @@ public:
   struct Entry
   {
     std::uint32_t Block;
-    OctantMask<Dim> Internal; ///< As in the block.
-    OctantMask<Dim> Occupied; ///< As in the block.
+    OctantMask<Dim> Internal; ///< As of the block.
+    OctantMask<Dim> Occupied; ///< As of the block.
   };
 
   /** Any node: its key and the range of its points in Morton order. */
@@ -131,8 +136,9 @@ public:
   /** Ids of the points in Morton order: leaf after leaf, in a leaf equal keys by id. See
    * SortAlongMortonCurve(). `GetNumberOfPoints()` values. */
   const PointIndex* GetPointIds() const { return this->PointIds.GetData(); }
-  /** The blocks, and the keys of their nodes, in the same order. */
+  /** The blocks, their octants, and the keys of their nodes, in the same order. */
   const Block& GetBlock(std::size_t block) const { return this->Blocks[block]; }
+  const Octants& GetOctants(std::size_t block) const { return this->BlockOctants[block]; }
   Key GetBlockKey(std::size_t block) const { return this->BlockKeys[block]; }
   const NodeTable<Entry>& GetTable() const { return this->Table; }
 
@@ -141,9 +147,10 @@ public:
   /** A child of an internal node, which is always given in the complete reading. O(1). */
   Node GetChild(std::size_t block, unsigned octant) const;
   /** Block of an internal child. O(1), no table access. */
-  static std::uint32_t GetChildBlock(const Block& block, unsigned octant)
+  std::uint32_t GetChildBlock(std::size_t block, unsigned octant) const
   {
-    return block.FirstChild + CountOctants(block.Internal & ((1U << octant) - 1U));
+    return this->Blocks[block].FirstChild +
+      CountOctants(this->BlockOctants[block].Internal & ((1U << octant) - 1U));
   }
 
   /** The node of a key, or nothing where the tree has none: direct access by key, or by position
@@ -161,10 +168,10 @@ public:
     }
   }
 
-  /** Bytes of the tree itself: blocks, their keys and the table. */
+  /** Bytes of the tree itself: blocks, their octants and keys, and the table. */
   std::size_t GetTreeBytes() const
   {
-    return this->Blocks.GetBytes() + this->BlockKeys.GetBytes() +
+    return this->Blocks.GetBytes() + this->BlockOctants.GetBytes() + this->BlockKeys.GetBytes() +
       (this->IsRootInternal() ? this->Table.GetBytes() : 0);
   }
   /** Bytes of the ids in Morton order. */
@@ -177,6 +184,7 @@ private:
   DepthCounts Counts = DepthCounts::OfEmptyTree();
   Buffer<PointIndex> PointIds;
   Buffer<Block> Blocks;
+  Buffer<Octants> BlockOctants;
   Buffer<Key> BlockKeys;
   NodeTable<Entry> Table;
 };

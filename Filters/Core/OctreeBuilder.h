@@ -44,6 +44,7 @@ public:
 private:
   using Key = MortonKey<Dim>;
   using Block = typename Octree<Dim>::Block;
+  using Octants = typename Octree<Dim>::Octants;
   using Entry = typename Octree<Dim>::Entry;
   static constexpr std::size_t ChunkSize = 8192;    ///< Points that a thread does at a time.
   static constexpr std::size_t NodeChunkSize = 512; ///< And nodes.
@@ -134,6 +135,7 @@ private:
                               "points per leaf or less depth.");
     }
     this->Tree.Blocks = Buffer<Block>(sum);
+    this->Tree.BlockOctants = Buffer<Octants>(sum);
     this->Tree.BlockKeys = Buffer<Key>(sum);
   }
 
@@ -211,8 +213,8 @@ private:
         tally.Points[depth] += count;
       }
     }
-    block.Internal = static_cast<OctantMask<Dim>>(internal);
-    block.Occupied = static_cast<OctantMask<Dim>>(occupied);
+    this->Tree.BlockOctants[node] = { static_cast<OctantMask<Dim>>(internal),
+      static_cast<OctantMask<Dim>>(occupied) };
   }
 
   /** Where the range of each child begins and ends, given where the first one begins. */
@@ -312,9 +314,9 @@ private:
       {
         this->Tree.Table.Prefetch(
           this->Tree.BlockKeys[std::min(node + PrefetchDistance, numberOfNodes - 1)].GetValue());
-        const Block& block = this->Tree.Blocks[node];
+        const Octants& octants = this->Tree.BlockOctants[node];
         this->Tree.Table.Insert(this->Tree.BlockKeys[node].GetValue(),
-          Entry{ static_cast<std::uint32_t>(node), block.Internal, block.Occupied });
+          Entry{ static_cast<std::uint32_t>(node), octants.Internal, octants.Occupied });
       }
       execution.Tell(static_cast<double>(last) / static_cast<double>(numberOfNodes));
     }

@@ -84,6 +84,7 @@ private:
   {
     const std::uint32_t number = this->Tree.GetFork(top);
     const auto& block = this->Nodes.GetBlock(number);
+    const auto octants = this->Nodes.GetOctants(number);
     const Key key = this->Nodes.GetBlockKey(number);
     const double width = std::ldexp(1.0, Key::MaxDepth - key.GetDepth());
     const Cell<Dim> cell = key.GetCell();
@@ -94,7 +95,7 @@ private:
     }
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
-      if ((block.Occupied >> octant & 1U) == 0)
+      if ((octants.Occupied >> octant & 1U) == 0)
       {
         continue;
       }
@@ -107,9 +108,9 @@ private:
         this->Found.insert(
           this->Found.end(), this->Tree.GetIds() + first, this->Tree.GetIds() + last);
       }
-      else if (side == Side::Across && (block.Internal >> octant & 1U) != 0)
+      else if (side == Side::Across && (octants.Internal >> octant & 1U) != 0)
       {
-        this->Descend(Octree<Dim>::GetChildBlock(block, octant));
+        this->Descend(this->Nodes.GetChildBlock(number, octant));
       }
       else if (side == Side::Across)
       {

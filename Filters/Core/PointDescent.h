@@ -129,14 +129,15 @@ private:
       return;
     }
     this->Examined.AddNode();
-    const Block& block = this->Tree.GetOctree().GetBlock(number);
-    if (PointTree<Dim, Real>::IsLink(block))
+    if (this->Tree.IsLink(number))
     {
       this->SearchFork(number);
       return;
     }
     T dist2[NumberOfOctants];
-    unsigned left = block.Occupied & this->Measure(number, place, dist2);
+    const Octree<Dim>& octree = this->Tree.GetOctree();
+    const auto octants = octree.GetOctants(number);
+    unsigned left = octants.Occupied & this->Measure(number, place, dist2);
     if constexpr (Collector::TakesWholeNodes)
     {
       left = this->TakeWholeNodes(number, place, left);
@@ -150,19 +151,19 @@ private:
         return;
       }
       left &= ~(1U << octant);
-      if ((block.Internal >> octant & 1U) == 0)
+      if ((octants.Internal >> octant & 1U) == 0)
       {
-        this->ScanChild(block, octant);
+        this->ScanChild(octree.GetBlock(number), octant);
       }
       else if (std::is_same_v<T, float> && Place::IsNearToChild(static_cast<float>(dist2[octant])))
       {
         this->template Descend<float>(
-          Octree<Dim>::GetChildBlock(block, octant), place.GetInChild(octant));
+          octree.GetChildBlock(number, octant), place.GetInChild(octant));
       }
       else
       {
         this->template Descend<double>(
-          Octree<Dim>::GetChildBlock(block, octant), place.GetInChild(octant));
+          octree.GetChildBlock(number, octant), place.GetInChild(octant));
       }
     }
   }

@@ -130,18 +130,19 @@ void PointTree<Dim, Real>::CopyPointsOf(
   std::size_t block, PointSpan<Dim, Real> points, Buffer<CellBox>& blockBoxes)
 {
   const auto& children = this->Tree.GetBlock(block);
+  const auto octants = this->Tree.GetOctants(block);
   const int depth = this->Tree.GetBlockKey(block).GetDepth();
   CellBox whole;
   whole.Lower.fill(~std::uint32_t(0));
   whole.Upper.fill(0);
   for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
   {
-    if ((children.Occupied >> octant & 1U) == 0)
+    if ((octants.Occupied >> octant & 1U) == 0)
     {
       continue;
     }
-    const CellBox box = (children.Internal >> octant & 1U) != 0
-      ? blockBoxes[Octree<Dim>::GetChildBlock(children, octant)]
+    const CellBox box = (octants.Internal >> octant & 1U) != 0
+      ? blockBoxes[this->Tree.GetChildBlock(block, octant)]
       : this->CopyLeaf(points, children.FirstPoint[octant], children.FirstPoint[octant + 1]);
     for (int axis = 0; axis < Dim; ++axis)
     {
@@ -153,7 +154,7 @@ void PointTree<Dim, Real>::CopyPointsOf(
   }
   blockBoxes[block] = whole;
   this->Forks[block] =
-    IsLink(children) ? this->Forks[children.FirstChild] : static_cast<std::uint32_t>(block);
+    this->IsLink(block) ? this->Forks[children.FirstChild] : static_cast<std::uint32_t>(block);
 }
 
 template <int Dim, typename Real>

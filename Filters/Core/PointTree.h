@@ -62,9 +62,10 @@ public:
 
   /** Whether nothing in a block parts its points: it has one child that holds points, and that is
    * internal. */
-  static bool IsLink(const typename Octree<Dim>::Block& block)
+  bool IsLink(std::size_t block) const
   {
-    return (block.Occupied & (block.Occupied - 1U)) == 0 && block.Internal != 0;
+    const auto octants = this->Tree.GetOctants(block);
+    return (octants.Occupied & (octants.Occupied - 1U)) == 0 && octants.Internal != 0;
   }
   /** The first block from a block down that is no link. */
   std::uint32_t GetFork(std::size_t block) const { return this->Forks[block]; }

@@ -20,6 +20,10 @@ protected:
   {
     return const_cast<Octree<3>::Block&>(this->Tree.GetBlock(block));
   }
+  Octree<3>::Octants& GetOctants(std::size_t block)
+  {
+    return const_cast<Octree<3>::Octants&>(this->Tree.GetOctants(block));
+  }
   PointIndex* GetIds() { return const_cast<PointIndex*>(this->Tree.GetPointIds()); }
   NodeTable<Octree<3>::Entry>& GetTable()
   {
@@ -90,8 +94,14 @@ TEST_F(TestInvariants, ShiftedRange)
 
 TEST_F(TestInvariants, FlippedInternalBit)
 {
-  this->GetBlock(5).Internal ^= 1U;
+  this->GetOctants(5).Internal ^= 1U;
   this->ExpectBroken("a node is internal just when it holds more than a bucket above MaxDepth");
+}
+
+TEST_F(TestInvariants, FlippedOccupiedBit)
+{
+  this->GetOctants(5).Occupied ^= 1U;
+  this->ExpectBroken("keys and masks agree");
 }
 
 TEST_F(TestInvariants, WrongFirstChild)
@@ -123,7 +133,7 @@ TEST_F(TestInvariants, ForeignKeyInTheTable)
 TEST_F(TestInvariants, LeafInTheTable)
 {
   std::size_t block = 0;
-  while (this->Tree.GetBlock(block).Internal == 0xff)
+  while (this->Tree.GetOctants(block).Internal == 0xff)
   {
     ++block;
   }

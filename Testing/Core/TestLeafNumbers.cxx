@@ -47,7 +47,6 @@ TYPED_TEST(TestLeafNumbers, CountTheLeavesWithPointsByThemselves)
   for (std::size_t i = 0; i < leaves.GetSize(); ++i)
   {
     const auto leaf = FindLeaf(made.Tree, leaves[i].NodeKey.GetFirstAtMaxDepth(), 0);
-    ASSERT_EQ(
-      numbers.Get(made.Tree.GetBlock(leaf.ParentBlock), leaf.ParentBlock, leaf.Key.GetOctant()), i);
+    ASSERT_EQ(numbers.Get(made.Tree, leaf), i);
   }
 }

@@ -129,7 +129,7 @@ TYPED_TEST(TestOctree, ThreadsDoNotMatter)
     for (std::size_t block = 0; block < one.Tree.GetNumberOfInternalNodes(); ++block)
     {
       ASSERT_EQ(many.Tree.GetBlockKey(block), one.Tree.GetBlockKey(block));
-      ASSERT_EQ(many.Tree.GetBlock(block).Internal, one.Tree.GetBlock(block).Internal);
+      ASSERT_EQ(many.Tree.GetOctants(block).Internal, one.Tree.GetOctants(block).Internal);
       ASSERT_EQ(many.Tree.GetBlock(block).FirstPoint, one.Tree.GetBlock(block).FirstPoint);
     }
     EXPECT_EQ(many.Tree.GetDepthCounts().Leaves, one.Tree.GetDepthCounts().Leaves);
@@ -214,14 +214,14 @@ TEST(TestOctreeFacts, TreeOfTheDrawing)
   ASSERT_EQ(tree.GetNumberOfInternalNodes(), 2U);
   const Octree<2>::Block& root = tree.GetBlock(0);
   EXPECT_EQ(tree.GetBlockKey(0).GetValue(), 0b1U);
-  EXPECT_EQ(root.Internal, 1U << 2); // Octant 0 is the lowest bit.
-  EXPECT_EQ(root.Occupied, 1U << 0 | 1U << 2 | 1U << 3);
+  EXPECT_EQ(tree.GetOctants(0).Internal, 1U << 2); // Octant 0 is the lowest bit.
+  EXPECT_EQ(tree.GetOctants(0).Occupied, 1U << 0 | 1U << 2 | 1U << 3);
   EXPECT_EQ(root.FirstChild, 1U);
   EXPECT_EQ(root.FirstPoint, (std::array<PointIndex, 5>{ 0, 1, 1, 4, 5 }));
   const Octree<2>::Block& child = tree.GetBlock(1);
   EXPECT_EQ(tree.GetBlockKey(1).GetValue(), 0b110U);
-  EXPECT_EQ(child.Internal, 0U);
-  EXPECT_EQ(child.Occupied, 1U << 0 | 1U << 1 | 1U << 3);
+  EXPECT_EQ(tree.GetOctants(1).Internal, 0U);
+  EXPECT_EQ(tree.GetOctants(1).Occupied, 1U << 0 | 1U << 1 | 1U << 3);
   EXPECT_EQ(child.FirstPoint, (std::array<PointIndex, 5>{ 1, 2, 3, 3, 4 }));
 
   for (std::uint32_t block = 0; block < 2; ++block)
@@ -229,8 +229,8 @@ TEST(TestOctreeFacts, TreeOfTheDrawing)
     const auto* entry = tree.GetTable().Find(tree.GetBlockKey(block).GetValue());
     ASSERT_NE(entry, nullptr);
     EXPECT_EQ(entry->Block, block);
-    EXPECT_EQ(entry->Internal, tree.GetBlock(block).Internal);
-    EXPECT_EQ(entry->Occupied, tree.GetBlock(block).Occupied);
+    EXPECT_EQ(entry->Internal, tree.GetOctants(block).Internal);
+    EXPECT_EQ(entry->Occupied, tree.GetOctants(block).Occupied);
   }
   EXPECT_EQ(tree.GetTable().Find(0b101U), nullptr);
   EXPECT_EQ(tree.GetTable().Find(0b111U), nullptr);

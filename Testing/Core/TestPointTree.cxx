@@ -75,9 +75,9 @@ protected:
         const auto child = octree.GetChild(fork, octant);
         occupied += child.IsEmpty() ? 0 : 1;
         internal += child.Internal ? 1 : 0;
-        below = child.Internal ? Octree<Dim>::GetChildBlock(octree.GetBlock(fork), octant) : below;
+        below = child.Internal ? octree.GetChildBlock(fork, octant) : below;
       }
-      ASSERT_EQ(Tree::IsLink(octree.GetBlock(fork)), occupied == 1 && internal == 1);
+      ASSERT_EQ(tree.IsLink(fork), occupied == 1 && internal == 1);
       if (occupied != 1 || internal != 1)
       {
         break;

@@ -91,7 +91,7 @@ private:
 
   void Descend(std::uint32_t number, Key key)
   {
-    const auto& block = this->Tree.GetBlock(number);
+    const auto octants = this->Tree.GetOctants(number);
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
     {
       const Key child = key.GetChild(octant);
@@ -100,12 +100,12 @@ private:
         continue;
       }
       this->Examined.AddNode();
-      if ((block.Internal >> octant & 1U) != 0)
+      if ((octants.Internal >> octant & 1U) != 0)
       {
-        this->Descend(hashedoctree::Octree<Dim>::GetChildBlock(block, octant), child);
+        this->Descend(this->Tree.GetChildBlock(number, octant), child);
       }
       else if (this->Reading == hashedoctree::EmptyOctants::Leaves ||
-        (block.Occupied >> octant & 1U) != 0)
+        (octants.Occupied >> octant & 1U) != 0)
       {
         this->Add(child, number);
       }
