@@ -119,15 +119,13 @@ typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
     [&](auto inSpace)
     {
       const auto span = Project(inSpace, octree.Frame);
-      std::vector<Costs> chunks((span.Count + chunkSize - 1) / chunkSize);
-      execution.For(chunks.size(), 1,
-        [&](std::size_t firstChunk, std::size_t lastChunk)
+      std::vector<Costs> chunks(Execution::GetNumberOfChunks(span.Count, chunkSize));
+      execution.ForChunks(span.Count, chunkSize,
+        [&](std::size_t chunk, std::size_t first, std::size_t last)
         {
-          for (std::size_t i = firstChunk * chunkSize;
-               i < std::min(span.Count, lastChunk * chunkSize); ++i)
+          for (std::size_t i = first; i < last; ++i)
           {
-            Add(chunks[i / chunkSize],
-              search.Search(static_cast<vtkIdType>(i), GetPosition<Dim>(span, i)));
+            Add(chunks[chunk], search.Search(static_cast<vtkIdType>(i), GetPosition<Dim>(span, i)));
           }
         });
       for (const Costs& costs : chunks)

@@ -75,6 +75,29 @@ public:
     }
   }
 
+  /** How many chunks of `chunkSize` items `count` items are; the last may be shorter. */
+  static constexpr std::size_t GetNumberOfChunks(std::size_t count, std::size_t chunkSize)
+  {
+    return (count + chunkSize - 1) / chunkSize;
+  }
+
+  /** Calls function(chunk, first, last) for each chunk of [0, count), a chunk being a grain. */
+  template <typename Function>
+  void ForChunks(std::size_t count, std::size_t chunkSize, const Function& function,
+    double from = 0.0, double to = 1.0) const
+  {
+    this->For(
+      GetNumberOfChunks(count, chunkSize), 1,
+      [&](std::size_t firstChunk, std::size_t lastChunk)
+      {
+        for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+        {
+          function(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize));
+        }
+      },
+      from, to);
+  }
+
   /** Reports progress; throws Interrupted when the caller wants no more. */
   void Tell(double fraction) const
   {

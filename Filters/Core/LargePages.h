@@ -12,6 +12,7 @@
 
 namespace hashedoctree
 {
+constexpr std::size_t SmallPageSize = 4096;
 constexpr std::size_t LargePageSize = std::size_t(2) << 20;
 /** From here on large pages pay: a page fault takes longer than filling a small page. */
 constexpr std::size_t FirstLargeSize = LargePageSize / 2;
@@ -22,11 +23,10 @@ constexpr std::size_t FirstLargeSize = LargePageSize / 2;
 inline void UseLargePages(void* memory, std::size_t bytes)
 {
 #ifdef __linux__
-  constexpr std::size_t pageSize = 4096;
   if (bytes >= FirstLargeSize)
   {
     const auto address = reinterpret_cast<std::uintptr_t>(memory);
-    const std::uintptr_t first = (address + pageSize - 1) / pageSize * pageSize;
+    const std::uintptr_t first = (address + SmallPageSize - 1) / SmallPageSize * SmallPageSize;
     madvise(reinterpret_cast<void*>(first), address + bytes - first, MADV_HUGEPAGE);
   }
 #else

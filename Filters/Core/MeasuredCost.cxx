@@ -47,19 +47,18 @@ void AddLeaf(const Octree<Dim>& tree, const typename Octree<Dim>::Node& leaf, Su
 template <int Dim>
 MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
 {
-  constexpr std::size_t chunkSize = 128; // Blocks, of up to 2^Dim leaves each.
+  constexpr std::size_t chunkSize = 64; // Blocks, of up to 2^Dim leaves each.
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
-  std::vector<Sums<Dim>> sums((numberOfBlocks + chunkSize - 1) / chunkSize + 1);
+  std::vector<Sums<Dim>> sums(Execution::GetNumberOfChunks(numberOfBlocks, chunkSize) + 1);
   if (!tree.IsRootInternal())
   {
     AddLeaf(tree, tree.GetRoot(), sums.back());
   }
-  execution.For(sums.size() - 1, 1,
-    [&](std::size_t firstChunk, std::size_t lastChunk)
+  execution.ForChunks(numberOfBlocks, chunkSize,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      const std::size_t last = std::min(numberOfBlocks, lastChunk * chunkSize);
       Sums<Dim> local;
-      for (std::size_t block = firstChunk * chunkSize; block < last; ++block)
+      for (std::size_t block = first; block < last; ++block)
       {
         PrefetchBelow(tree, std::min(block + 1, numberOfBlocks - 1));
         for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
@@ -71,7 +70,7 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
           }
         }
       }
-      sums[firstChunk] = local;
+      sums[chunk] = local;
     });
 
   MeasuredCost mean;

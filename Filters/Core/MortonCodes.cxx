@@ -9,20 +9,17 @@ template <int Dim, typename Points>
 Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& selection,
   const Grid<Dim>& grid, const Execution& execution)
 {
-  constexpr std::size_t chunkSize = PointSelection<Dim>::ChunkSize;
   constexpr std::size_t blockSize = 128; // Cells and keys of a block stay in the first cache.
   Buffer<CodedPoint<Dim>> coded(selection.GetNumberOfPoints());
 
-  const std::size_t numberOfChunks = (points.Count + chunkSize - 1) / chunkSize;
-  execution.For(numberOfChunks, 1,
-    [&](std::size_t firstChunk, std::size_t lastChunk)
+  execution.ForChunks(points.Count, PointSelection<Dim>::ChunkSize,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       const bool keepsAll = selection.KeepsAll();
       std::array<Cell<Dim>, blockSize> cells;
       std::array<MortonKey<Dim>, blockSize> keys;
-      std::size_t next = selection.GetFirstOfChunk(firstChunk);
-      const std::size_t last = std::min(points.Count, lastChunk * chunkSize);
-      for (std::size_t block = firstChunk * chunkSize; block < last; block += blockSize)
+      std::size_t next = selection.GetFirstOfChunk(chunk);
+      for (std::size_t block = first; block < last; block += blockSize)
       {
         const std::size_t end = std::min(last, block + blockSize);
         std::size_t kept = 0;

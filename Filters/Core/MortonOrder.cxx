@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MortonOrder.h"
 
+#include "FirstTouch.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -61,6 +63,7 @@ public:
 
   void Sort()
   {
+    TouchPages(this->Scratch, this->Threads, 0.0, 0.0);
     const std::size_t limit = std::max(SerialLimit, this->Points.GetSize() / SerialShare);
     std::vector<Range> large{ Range{ 0, this->Points.GetSize(), 0, false } };
     std::vector<Range> small;
@@ -119,9 +122,8 @@ private:
     const std::size_t count = range.Last - range.First;
     const int depths = this->GetDepths(count, range.Depth);
     const Digit<Dim> digit(range.Depth, depths);
-    const std::size_t numberOfChunks = (count + ChunkSize - 1) / ChunkSize;
 
-    std::vector<DigitCounts> offsets(numberOfChunks);
+    std::vector<DigitCounts> offsets(Execution::GetNumberOfChunks(count, ChunkSize));
     this->ForChunks(count,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
       {
@@ -178,15 +180,7 @@ private:
   void ForChunks(std::size_t count, const Function& function)
   {
     // Progress stands still here: how many partitions follow is known only after them.
-    this->Threads.For((count + ChunkSize - 1) / ChunkSize, 1,
-      [&](std::size_t firstChunk, std::size_t lastChunk)
-      {
-        for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
-        {
-          function(chunk, chunk * ChunkSize, std::min(count, (chunk + 1) * ChunkSize));
-        }
-      },
-      0.0, 0.0);
+    this->Threads.ForChunks(count, ChunkSize, function, 0.0, 0.0);
   }
 
   /** Sorts ranges into Points, each on one thread; short ones share a task. */

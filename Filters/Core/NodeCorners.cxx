@@ -40,7 +40,7 @@ struct Extent
   }
 };
 
-constexpr std::size_t BatchSize = 65536;    // Nodes between two reports of progress.
+constexpr std::size_t BatchSize = 16384;    // Nodes between two reports of progress.
 constexpr std::size_t PrefetchDistance = 6; // Nodes ahead whose corners are on the way.
 
 /**
@@ -84,7 +84,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t NumberOfShards = 64;
+  static constexpr std::size_t NumberOfShards = 256;
   // Small, so that the memory of all shards is not touched at once.
   static constexpr std::size_t FirstRoom = 64;
 
@@ -106,7 +106,7 @@ private:
   static std::size_t GetShardOf(std::uint64_t code)
   {
     // Another constant than that of the tables: a shard must not be one part of its table's slots.
-    return static_cast<std::size_t>(code * 0xd6e8feb86659fd93U >> 58);
+    return static_cast<std::size_t>(code * 0xd6e8feb86659fd93U >> 56);
   }
   const Shard& GetShard(std::uint64_t code) const { return this->Shards[GetShardOf(code)]; }
 

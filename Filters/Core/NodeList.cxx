@@ -10,9 +10,8 @@ Buffer<typename Octree<Dim>::Node> ListNodes(
   const Octree<Dim>& tree, NodeListOptions options, const Execution& execution)
 {
   using Node = typename Octree<Dim>::Node;
-  constexpr std::size_t chunkSize = 8192;
+  constexpr std::size_t chunkSize = 2048; // Blocks that a thread does at a time.
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
-  const std::size_t numberOfChunks = (numberOfBlocks + chunkSize - 1) / chunkSize;
   const auto isListed = [options](const Node& node)
   {
     const bool isOfDepth = options.Depth < 0 || node.NodeKey.GetDepth() == options.Depth;
@@ -22,28 +21,24 @@ Buffer<typename Octree<Dim>::Node> ListNodes(
   // Calls function(chunk, node) for the listed children of all blocks, a chunk on one thread.
   const auto forChildren = [&](double from, double to, const auto& function)
   {
-    const auto body = [&](std::size_t firstChunk, std::size_t lastChunk)
+    const auto body = [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+      for (std::size_t block = first; block < last; ++block)
       {
-        const std::size_t last = std::min(numberOfBlocks, (chunk + 1) * chunkSize);
-        for (std::size_t block = chunk * chunkSize; block < last; ++block)
+        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
         {
-          for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+          const Node child = tree.GetChild(block, octant);
+          if (isListed(child))
           {
-            const Node child = tree.GetChild(block, octant);
-            if (isListed(child))
-            {
-              function(chunk, child);
-            }
+            function(chunk, child);
           }
         }
       }
     };
-    execution.For(numberOfChunks, 1, body, from, to);
+    execution.ForChunks(numberOfBlocks, chunkSize, body, from, to);
   };
 
-  std::vector<std::size_t> counts(numberOfChunks, 0);
+  std::vector<std::size_t> counts(Execution::GetNumberOfChunks(numberOfBlocks, chunkSize), 0);
   forChildren(0.0, 0.5, [&](std::size_t chunk, const Node&) { ++counts[chunk]; });
 
   const bool rootIsListed = isListed(tree.GetRoot());

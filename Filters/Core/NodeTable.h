@@ -2,7 +2,7 @@
 #ifndef hashedoctree_NodeTable_h
 #define hashedoctree_NodeTable_h
 
-#include "Buffer.h"
+#include "FirstTouch.h"
 #include "NodeHash.h"
 
 #include <algorithm>
@@ -40,6 +40,12 @@ public:
     : Slots(Hash(numberOfKeys))
     , Buckets(this->Slots.GetNumberOfSlots() / SlotsOfBucket, Memory::Zeroed)
   {
+  }
+
+  /** See FirstTouch.h; for a table without keys. */
+  void TouchPages(const Execution& execution)
+  {
+    hashedoctree::TouchPages(this->Buckets, execution);
   }
 
   /** Makes room for this many keys in all. Where there is too little, the table is filled anew at

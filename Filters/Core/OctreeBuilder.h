@@ -27,9 +27,8 @@ public:
   OctreeBuilder(Octree<Dim>& tree, const Buffer<CodedPoint<Dim>>& points)
     : Tree(tree)
     , Points(points)
-    , NumberOfChunks((points.GetSize() + ChunkSize - 1) / ChunkSize)
-    , NodesBefore(NumberOfChunks + 1)
-    , FirstPoints(NumberOfChunks)
+    , NodesBefore(Execution::GetNumberOfChunks(points.GetSize(), ChunkSize))
+    , FirstPoints(NodesBefore.size())
   {
   }
 
@@ -79,27 +78,13 @@ private:
     return depths;
   }
 
-  template <typename Function>
-  void ForChunks(std::size_t count, std::size_t chunkSize, const Execution& execution,
-    const Function& function) const
-  {
-    execution.For((count + chunkSize - 1) / chunkSize, 1,
-      [&](std::size_t firstChunk, std::size_t lastChunk)
-      {
-        for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
-        {
-          function(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize));
-        }
-      });
-  }
-
   /** Fills FirstPoints, and NodesBefore: where the nodes of each depth begin in the order of the
    * blocks, chunk by chunk of points. Also copies the ids, since it reads all points anyway. */
   void CountNodes(const Execution& execution)
   {
     const std::size_t numberOfPoints = this->Points.GetSize();
     this->Tree.PointIds = Buffer<PointIndex>(numberOfPoints);
-    this->ForChunks(numberOfPoints, ChunkSize, execution,
+    execution.ForChunks(numberOfPoints, ChunkSize,
       [this](std::size_t chunk, std::size_t first, std::size_t last)
       {
         PerDepth counts{};
@@ -122,10 +107,10 @@ private:
     std::size_t sum = 0;
     for (std::size_t depth = 0; depth < NumberOfDepths; ++depth)
     {
-      for (std::size_t chunk = 0; chunk < this->NumberOfChunks; ++chunk)
+      for (PerDepth& chunk : this->NodesBefore)
       {
-        const std::size_t here = this->NodesBefore[chunk][depth];
-        this->NodesBefore[chunk][depth] = sum;
+        const std::size_t here = chunk[depth];
+        chunk[depth] = sum;
         sum += here;
       }
     }
@@ -142,7 +127,7 @@ private:
   /** Gives each internal node its key, its first point and its first child. */
   void PlaceNodes(const Execution& execution)
   {
-    this->ForChunks(this->Points.GetSize(), ChunkSize, execution,
+    execution.ForChunks(this->Points.GetSize(), ChunkSize,
       [this](std::size_t chunk, std::size_t, std::size_t)
       {
         PerDepth next = this->NodesBefore[chunk];
@@ -167,8 +152,8 @@ private:
   void DescribeChildren(const Execution& execution)
   {
     const std::size_t numberOfNodes = this->Tree.GetNumberOfInternalNodes();
-    std::vector<DepthTally> tallies((numberOfNodes + NodeChunkSize - 1) / NodeChunkSize);
-    this->ForChunks(numberOfNodes, NodeChunkSize, execution,
+    std::vector<DepthTally> tallies(Execution::GetNumberOfChunks(numberOfNodes, NodeChunkSize));
+    execution.ForChunks(numberOfNodes, NodeChunkSize,
       [this, &tallies](std::size_t chunk, std::size_t first, std::size_t last)
       {
         DepthTally tally{};
@@ -307,6 +292,7 @@ private:
   {
     const std::size_t numberOfNodes = this->Tree.GetNumberOfInternalNodes();
     this->Tree.Table = NodeTable<Entry>(numberOfNodes);
+    this->Tree.Table.TouchPages(execution.Part(0.0, 0.0));
     for (std::size_t first = 0; first < numberOfNodes; first += TableBatch)
     {
       const std::size_t last = std::min(numberOfNodes, first + TableBatch);
@@ -326,7 +312,6 @@ private:
 
   Octree<Dim>& Tree;
   const Buffer<CodedPoint<Dim>>& Points;
-  std::size_t NumberOfChunks;
   std::vector<PerDepth> NodesBefore;
   std::vector<std::vector<PointIndex>> FirstPoints; ///< Where internal nodes begin, by chunk.
 };

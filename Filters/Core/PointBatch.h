@@ -106,20 +106,19 @@ public:
     this->ForOrders(positions,
       [&](BatchOrder<Dim>& order, const Execution& execution)
       {
-        std::vector<std::vector<FoundPoint>> chunks((order.GetCount() + Grain - 1) / Grain);
-        execution.For(chunks.size(), 1,
-          [&](std::size_t firstChunk, std::size_t lastChunk)
+        std::vector<std::vector<FoundPoint>> chunks(
+          Execution::GetNumberOfChunks(order.GetCount(), Grain));
+        execution.ForChunks(order.GetCount(), Grain,
+          [&](std::size_t chunk, std::size_t first, std::size_t last)
           {
             std::vector<FoundPoint> found;
-            const std::size_t last = std::min(order.GetCount(), lastChunk * Grain);
-            for (std::size_t place = firstChunk * Grain; place < last; ++place)
+            for (std::size_t place = first; place < last; ++place)
             {
               const std::size_t i = order[place];
-              std::vector<FoundPoint>& chunk = chunks[place / Grain];
               this->Search.FindWithin(GetPosition<Dim>(positions, i), radius, found);
               std::sort(found.begin(), found.end());
               lists.Offsets[i + 1] = found.size();
-              chunk.insert(chunk.end(), found.begin(), found.end());
+              chunks[chunk].insert(chunks[chunk].end(), found.begin(), found.end());
             }
           });
         lists.Slices.push_back({ std::move(order), std::move(chunks) });

@@ -48,39 +48,34 @@ PointSelection<Dim>::PointSelection(
     this->Bounds = *given;
   }
 
-  const std::size_t numberOfChunks = (points.Count + ChunkSize - 1) / ChunkSize;
-  std::vector<ChunkCensus<Dim>> census(numberOfChunks);
-  execution.For(numberOfChunks, 1,
-    [&](std::size_t firstChunk, std::size_t lastChunk)
+  std::vector<ChunkCensus<Dim>> census(Execution::GetNumberOfChunks(points.Count, ChunkSize));
+  execution.ForChunks(points.Count, ChunkSize,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
+      ChunkCensus<Dim> local;
+      for (std::size_t i = first; i < last; ++i)
       {
-        ChunkCensus<Dim> local;
-        const std::size_t last = std::min(points.Count, (chunk + 1) * ChunkSize);
-        for (std::size_t i = chunk * ChunkSize; i < last; ++i)
+        const auto x = points[i];
+        if (!IsFinite(x))
         {
-          const auto x = points[i];
-          if (!IsFinite(x))
+          ++local.Skipped;
+        }
+        else if (!this->HasBox || this->IsInBox(x))
+        {
+          ++local.Kept;
+          for (int axis = 0; axis < Dim; ++axis)
           {
-            ++local.Skipped;
-          }
-          else if (!this->HasBox || this->IsInBox(x))
-          {
-            ++local.Kept;
-            for (int axis = 0; axis < Dim; ++axis)
-            {
-              const double coordinate = static_cast<double>(x[axis]);
-              local.Bounds.Lower[axis] = std::min(local.Bounds.Lower[axis], coordinate);
-              local.Bounds.Upper[axis] = std::max(local.Bounds.Upper[axis], coordinate);
-            }
+            const double coordinate = static_cast<double>(x[axis]);
+            local.Bounds.Lower[axis] = std::min(local.Bounds.Lower[axis], coordinate);
+            local.Bounds.Upper[axis] = std::max(local.Bounds.Upper[axis], coordinate);
           }
         }
-        census[chunk] = local;
       }
+      census[chunk] = local;
     });
 
   this->FirstOfChunk.assign(1, 0);
-  this->FirstOfChunk.reserve(numberOfChunks + 1);
+  this->FirstOfChunk.reserve(census.size() + 1);
   for (const ChunkCensus<Dim>& chunk : census)
   {
     this->FirstOfChunk.push_back(this->FirstOfChunk.back() + chunk.Kept);

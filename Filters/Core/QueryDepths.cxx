@@ -15,24 +15,19 @@ DepthHistogram MeasureQueryDepths(
   constexpr std::size_t chunkSize = 4096; // Positions that a thread does at a time.
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
   const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
-  std::vector<PerDepth> chunks((queries.Count + chunkSize - 1) / chunkSize);
-  execution.For(chunks.size(), 1,
-    [&](std::size_t firstChunk, std::size_t lastChunk)
+  std::vector<PerDepth> chunks(Execution::GetNumberOfChunks(queries.Count, chunkSize));
+  execution.ForChunks(queries.Count, chunkSize,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
-      {
-        PerDepth counts{};
-        const std::size_t first = chunk * chunkSize;
-        FindLeaves(
-          tree, queries, first, std::min(queries.Count, first + chunkSize),
-          [startDepth](MortonKey<Dim>) { return startDepth; },
-          [&counts, &queries](std::size_t i, const FoundLeaf<Dim>& leaf)
-          {
-            const bool counted = IsFinite(GetPosition<Dim>(queries, i));
-            counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += counted ? 1 : 0;
-          });
-        chunks[chunk] = counts;
-      }
+      PerDepth counts{};
+      FindLeaves(
+        tree, queries, first, last, [startDepth](MortonKey<Dim>) { return startDepth; },
+        [&counts, &queries](std::size_t i, const FoundLeaf<Dim>& leaf)
+        {
+          const bool counted = IsFinite(GetPosition<Dim>(queries, i));
+          counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += counted ? 1 : 0;
+        });
+      chunks[chunk] = counts;
     });
 
   DepthHistogram histogram(tree.GetDepthCounts().Leaves.size(), 0);

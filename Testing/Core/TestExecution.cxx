@@ -30,6 +30,41 @@ TEST(TestExecution, ForCoversTheRangeOnce)
   }
 }
 
+TEST(TestExecution, ForChunksCallsForEachChunkOnce)
+{
+  EXPECT_EQ(Execution::GetNumberOfChunks(0, 100), 0U);
+  EXPECT_EQ(Execution::GetNumberOfChunks(100, 100), 1U);
+  EXPECT_EQ(Execution::GetNumberOfChunks(101, 100), 2U);
+  for (const std::size_t count : { 0U, 1U, 99U, 64000U, 64001U })
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> chunks(
+      Execution::GetNumberOfChunks(count, 100));
+    std::atomic<std::size_t> calls = 0;
+    double told = 0.0;
+    const Execution execution(OnThreads(3),
+      [&told](double fraction)
+      {
+        told = fraction;
+        return true;
+      });
+    execution.ForChunks(
+      count, 100,
+      [&](std::size_t chunk, std::size_t first, std::size_t last)
+      {
+        ++calls;
+        chunks.at(chunk) = { first, last };
+      },
+      0.25, 0.5);
+    EXPECT_EQ(calls, chunks.size());
+    EXPECT_EQ(told, count == 0 ? 0.0 : 0.5);
+    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
+    {
+      ASSERT_EQ(chunks[chunk].first, chunk * 100);
+      ASSERT_EQ(chunks[chunk].second, std::min<std::size_t>(count, chunk * 100 + 100));
+    }
+  }
+}
+
 TEST(TestExecution, ProgressRisesFromPartToPart)
 {
   std::vector<double> told;

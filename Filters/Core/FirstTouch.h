@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_FirstTouch_h
+#define hashedoctree_FirstTouch_h
+
+#include "Buffer.h"
+#include "Execution.h"
+#include "LargePages.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace hashedoctree
+{
+/**
+ * Has the system hand out the pages of a buffer that nothing was written to yet: in order, each to
+ * one thread, with looks at progress in between. For memory that is filled at random: otherwise the
+ * first values wait for all pages, and several threads at once clear the same ones. On virtual
+ * machines a large page can take milliseconds. Zeroed memory stays so. O(pages).
+ */
+template <typename T>
+void TouchPages(
+  Buffer<T>& buffer, const Execution& execution, double fromProgress = 0.0, double toProgress = 1.0)
+{
+  constexpr std::size_t slice = 4 * LargePageSize; // Between two looks at progress.
+  char* const memory = reinterpret_cast<char*>(buffer.GetData());
+  // Where it begins in its first page, from which bytes are counted.
+  const std::size_t begin = reinterpret_cast<std::uintptr_t>(memory) % LargePageSize;
+  const std::size_t end = begin + buffer.GetBytes();
+  for (std::size_t done = 0; done < end; done += slice)
+  {
+    execution.ForChunks(
+      std::min(slice, end - done), LargePageSize,
+      [memory, begin, done](std::size_t, std::size_t first, std::size_t last)
+      {
+        for (std::size_t i = std::max(begin, done + first); i < done + last; i += SmallPageSize)
+        {
+          memory[i - begin] = 0;
+        }
+      },
+      fromProgress, toProgress);
+  }
+}
+}
+
+#endif

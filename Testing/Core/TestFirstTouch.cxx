@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FirstTouch.h"
+
+#include "Threads.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/mman.h>
+#include <vector>
+
+using namespace hashedoctree;
+
+namespace
+{
+/** Whether the system has handed out every page that holds any of these values. */
+template <typename T>
+bool AreThere(const Buffer<T>& buffer)
+{
+  const auto begin = reinterpret_cast<std::uintptr_t>(buffer.GetData());
+  const std::uintptr_t first = begin / SmallPageSize * SmallPageSize;
+  const std::size_t length = begin + buffer.GetBytes() - first;
+  std::vector<unsigned char> pages((length + SmallPageSize - 1) / SmallPageSize);
+  if (mincore(reinterpret_cast<void*>(first), length, pages.data()) != 0)
+  {
+    ADD_FAILURE() << "mincore() does not know the buffer";
+  }
+  return std::all_of(
+    pages.begin(), pages.end(), [](unsigned char page) { return (page & 1U) != 0; });
+}
+}
+
+TEST(TestFirstTouch, AllPagesAreThere)
+{
+  for (const std::size_t bytes : { std::size_t(40) << 20, (std::size_t(33) << 20) + 4097 })
+  {
+    for (const Memory memory : { Memory::Uninitialised, Memory::Zeroed })
+    {
+      Buffer<char> buffer(bytes, memory);
+      EXPECT_FALSE(AreThere(buffer)) << "or there is nothing to show";
+      TouchPages(buffer, Execution(OnThreads(3)));
+      EXPECT_TRUE(AreThere(buffer));
+    }
+  }
+}
+
+TEST(TestFirstTouch, ZeroedMemoryStaysZeroed)
+{
+  for (const std::size_t count : { 1U, 3U, 5000U, 3000000U })
+  {
+    Buffer<int> buffer(count, Memory::Zeroed);
+    TouchPages(buffer, Execution());
+    EXPECT_TRUE(
+      std::all_of(buffer.GetData(), buffer.GetData() + count, [](int value) { return value == 0; }))
+      << count;
+  }
+}
+
+TEST(TestFirstTouch, TellsProgressEveryEightMegabytes)
+{
+  int looks = 0;
+  const Execution execution(OnThreads(1),
+    [&looks](double fraction)
+    {
+      EXPECT_EQ(fraction, 0.5);
+      ++looks;
+      return true;
+    });
+  Buffer<char> buffer(std::size_t(40) << 20);
+  TouchPages(buffer, execution, 0.5, 0.5);
+  EXPECT_GE(looks, 5);
+
+  const Execution interrupted(OnThreads(1), [](double) { return false; });
+  EXPECT_THROW(TouchPages(buffer, interrupted), Interrupted);
+}
+
+TEST(TestFirstTouch, NothingToTouch)
+{
+  Buffer<char> buffer(0);
+  TouchPages(buffer, Execution());
+  EXPECT_EQ(buffer.GetSize(), 0U);
+}
