@@ -5,6 +5,10 @@
 #include "Grid.h"
 #include "NeighborCells.h"
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,21 +66,26 @@ public:
    * GetLower() gives it. */
   std::uint32_t GetMeetingOctants(const Position<Dim>& lower, double size) const
   {
-    // On each axis there are two places only.
-    std::array<std::array<double, 2>, Dim> nearest2;
+    // On each axis there are two places only, which make a vector.
+    const Pair places = { 0.0, size };
+    std::array<Pair, Dim> nearest2;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      nearest2[axis] = { GetNearest2(lower[axis], size), GetNearest2(lower[axis] + size, size) };
+      const Pair below = lower[axis] + places;
+      const Pair above = -(below + size);
+      Pair nearest = below > above ? below : above;
+      nearest = nearest > Pair{} ? nearest : Pair{};
+      nearest2[axis] = nearest * nearest;
     }
     std::uint32_t meeting = 0;
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    for (unsigned octant = 0; octant < Key::NumberOfOctants; octant += 2)
     {
       double sum = 0.0;
-      for (int axis = 0; axis < Dim; ++axis)
+      for (int axis = 0; axis < Dim - 1; ++axis)
       {
         sum += nearest2[axis][octant >> (Dim - 1 - axis) & 1U];
       }
-      meeting |= (sum <= this->Radius2 ? 1U : 0U) << octant;
+      meeting |= GetBits(sum + nearest2[Dim - 1] <= this->Radius2) << octant;
     }
     return meeting;
   }
@@ -128,11 +137,17 @@ public:
   }
 
 private:
-  /** Square of the distance on one axis to what lies between `lower` and `lower` + `size`. */
-  static double GetNearest2(double lower, double size)
+  /** Two numbers in one register. */
+  using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
+  using Truths __attribute__((vector_size(2 * sizeof(double)))) = std::int64_t;
+
+  static std::uint32_t GetBits(Truths truths)
   {
-    const double nearest = std::max(std::max(lower, -(lower + size)), 0.0);
-    return nearest * nearest;
+#ifdef __SSE2__
+    return static_cast<std::uint32_t>(_mm_movemask_pd(reinterpret_cast<__m128d>(truths)));
+#else
+    return (truths[0] != 0 ? 1U : 0U) | (truths[1] != 0 ? 2U : 0U);
+#endif
   }
 
   double Radius;
