@@ -14,17 +14,16 @@ namespace hashedoctree
 {
 /**
  * Has the system hand out the pages of a buffer that nothing was written to yet: in order, each to
- * one thread, with looks at progress in between. For memory that is filled at random: otherwise the
- * first values wait for all pages, and several threads at once clear the same ones. On virtual
- * machines a large page can take milliseconds. Zeroed memory stays so. O(pages).
+ * one thread, with looks at progress, which stays at 0, in between. For memory that is filled at
+ * random: otherwise the first values wait for all pages, and several threads at once clear the same
+ * ones. On virtual machines a large page can take milliseconds. Zeroed memory stays so. O(pages).
  */
 template <typename T>
-void TouchPages(
-  Buffer<T>& buffer, const Execution& execution, double fromProgress = 0.0, double toProgress = 1.0)
+void TouchPages(Buffer<T>& buffer, const Execution& execution)
 {
   constexpr std::size_t slice = 4 * LargePageSize; // Between two looks at progress.
   char* const memory = reinterpret_cast<char*>(buffer.GetData());
-  // Where it begins in its first page, from which bytes are counted.
+  // Where it begins in its first large page, from which bytes are counted.
   const std::size_t begin = reinterpret_cast<std::uintptr_t>(memory) % LargePageSize;
   const std::size_t end = begin + buffer.GetBytes();
   for (std::size_t done = 0; done < end; done += slice)
@@ -33,12 +32,12 @@ void TouchPages(
       std::min(slice, end - done), LargePageSize,
       [memory, begin, done](std::size_t, std::size_t first, std::size_t last)
       {
-        for (std::size_t i = std::max(begin, done + first); i < done + last; i += SmallPageSize)
+        for (std::size_t page = done + first; page < done + last; page += SmallPageSize)
         {
-          memory[i - begin] = 0;
+          memory[std::max(begin, page) - begin] = 0;
         }
       },
-      fromProgress, toProgress);
+      0.0, 0.0);
   }
 }
 }

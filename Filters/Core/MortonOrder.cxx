@@ -63,7 +63,7 @@ public:
 
   void Sort()
   {
-    TouchPages(this->Scratch, this->Threads, 0.0, 0.0);
+    TouchPages(this->Scratch, this->Threads);
     const std::size_t limit = std::max(SerialLimit, this->Points.GetSize() / SerialShare);
     std::vector<Range> large{ Range{ 0, this->Points.GetSize(), 0, false } };
     std::vector<Range> small;

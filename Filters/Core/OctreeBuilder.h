@@ -292,7 +292,7 @@ private:
   {
     const std::size_t numberOfNodes = this->Tree.GetNumberOfInternalNodes();
     this->Tree.Table = NodeTable<Entry>(numberOfNodes);
-    this->Tree.Table.TouchPages(execution.Part(0.0, 0.0));
+    this->Tree.Table.TouchPages(execution);
     for (std::size_t first = 0; first < numberOfNodes; first += TableBatch)
     {
       const std::size_t last = std::min(numberOfNodes, first + TableBatch);

@@ -31,7 +31,8 @@ bool AreThere(const Buffer<T>& buffer)
 
 TEST(TestFirstTouch, AllPagesAreThere)
 {
-  for (const std::size_t bytes : { std::size_t(40) << 20, (std::size_t(33) << 20) + 4097 })
+  for (const std::size_t bytes :
+    { std::size_t(40) << 20, (std::size_t(33) << 20) + 4097, (std::size_t(33) << 20) + 8 })
   {
     for (const Memory memory : { Memory::Uninitialised, Memory::Zeroed })
     {
@@ -61,12 +62,12 @@ TEST(TestFirstTouch, TellsProgressEveryEightMegabytes)
   const Execution execution(OnThreads(1),
     [&looks](double fraction)
     {
-      EXPECT_EQ(fraction, 0.5);
+      EXPECT_EQ(fraction, 0.0);
       ++looks;
       return true;
     });
   Buffer<char> buffer(std::size_t(40) << 20);
-  TouchPages(buffer, execution, 0.5, 0.5);
+  TouchPages(buffer, execution);
   EXPECT_GE(looks, 5);
 
   const Execution interrupted(OnThreads(1), [](double) { return false; });
