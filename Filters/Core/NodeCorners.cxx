@@ -84,7 +84,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t NumberOfShards = 256;
+  static constexpr int ShardBits = 8;
+  static constexpr std::size_t NumberOfShards = std::size_t(1) << ShardBits;
   // Small, so that the memory of all shards is not touched at once.
   static constexpr std::size_t FirstRoom = 64;
 
@@ -106,7 +107,7 @@ private:
   static std::size_t GetShardOf(std::uint64_t code)
   {
     // Another constant than that of the tables: a shard must not be one part of its table's slots.
-    return static_cast<std::size_t>(code * 0xd6e8feb86659fd93U >> 56);
+    return static_cast<std::size_t>(code * 0xd6e8feb86659fd93U >> (64 - ShardBits));
   }
   const Shard& GetShard(std::uint64_t code) const { return this->Shards[GetShardOf(code)]; }
 

@@ -2,6 +2,7 @@
 #ifndef hashedoctree_NodeTable_h
 #define hashedoctree_NodeTable_h
 
+#include "Buffer.h"
 #include "FirstTouch.h"
 #include "NodeHash.h"
 

@@ -42,10 +42,11 @@ class OctreeBuilder;
  * A hashed octree over points (paper section 2), or the 2^Dim-tree of other dimensions.
  *
  * A node is split while it holds more than MaxPointsPerLeaf points and is not at MaxDepth. Only
- * internal nodes are stored, each as one block that describes its 2^Dim children: which of them are
- * internal, where these stand, and where the points of each child begin in the Morton order of the
- * points. A leaf, empty or not, needs no memory of its own. Going down reads blocks; reaching a
- * node directly by its key reads one slot of the table, under the key of the parent.
+ * internal nodes are stored, each as one block and its octants, which describe its 2^Dim children:
+ * which of them are internal, where these stand, and where the points of each child begin in the
+ * Morton order of the points. A leaf, empty or not, needs no memory of its own. Going down reads
+ * blocks; reaching a node directly by its key reads one slot of the table, under the key of the
+ * parent.
  *
  * Invariants (Invariants.h checks them):
  * - blocks are ordered by depth, then by key, so parents come before children and the internal
