@@ -69,17 +69,18 @@ public:
     int MaxDepth = Key::MaxDepth;     ///< In [0, MortonKey::MaxDepth].
   };
 
-  /** Which children an internal node has. */
-  struct Octants
+  /** Which children an internal node has, and where the internal ones stand. Without padding, as
+   * there is one of it for each internal node. */
+  struct [[gnu::packed, gnu::aligned(2)]] Octants
   {
+    std::uint32_t FirstChild; ///< Block of the first internal child; no meaning when there is none.
     OctantMask<Dim> Internal; ///< Those that are internal nodes.
     OctantMask<Dim> Occupied; ///< Those that hold points.
   };
 
-  /** Where the children of an internal node are. The octants are not in it: it would be padded. */
+  /** Where the points of the children of an internal node are. */
   struct Block
   {
-    std::uint32_t FirstChild; ///< Block of the first internal child; no meaning when there is none.
     std::array<PointIndex, NumberOfOctants + 1> FirstPoint; ///< Where each range begins and ends.
   };
 
@@ -87,8 +88,8 @@ public:
   struct Entry
   {
     std::uint32_t Block;
-    OctantMask<Dim> Internal; ///< As of the block.
-    OctantMask<Dim> Occupied; ///< As of the block.
+    OctantMask<Dim> Internal; ///< As of the octants.
+    OctantMask<Dim> Occupied; ///< As of the octants.
   };
 
   /** Any node: its key and the range of its points in Morton order. */
@@ -150,8 +151,8 @@ public:
   /** Block of an internal child. O(1), no table access. */
   std::uint32_t GetChildBlock(std::size_t block, unsigned octant) const
   {
-    return this->Blocks[block].FirstChild +
-      CountOctants(this->BlockOctants[block].Internal & ((1U << octant) - 1U));
+    const Octants& octants = this->BlockOctants[block];
+    return octants.FirstChild + CountOctants(octants.Internal & ((1U << octant) - 1U));
   }
 
   /** The node of a key, or nothing where the tree has none: direct access by key, or by position

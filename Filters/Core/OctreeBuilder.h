@@ -141,7 +141,7 @@ private:
             this->Tree.BlockKeys[node] = this->Points[i].Key.AtDepth(depth);
             this->Tree.Blocks[node].FirstPoint[0] = i;
             // Internal children begin here or later, and all earlier ones have other parents.
-            this->Tree.Blocks[node].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
+            this->Tree.BlockOctants[node].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
           }
         }
       });
@@ -198,8 +198,8 @@ private:
         tally.Points[depth] += count;
       }
     }
-    this->Tree.BlockOctants[node] = { static_cast<OctantMask<Dim>>(internal),
-      static_cast<OctantMask<Dim>>(occupied) };
+    this->Tree.BlockOctants[node].Internal = static_cast<OctantMask<Dim>>(internal);
+    this->Tree.BlockOctants[node].Occupied = static_cast<OctantMask<Dim>>(occupied);
   }
 
   /** Where the range of each child begins and ends, given where the first one begins. */

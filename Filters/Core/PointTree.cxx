@@ -154,7 +154,7 @@ void PointTree<Dim, Real>::CopyPointsOf(
   }
   blockBoxes[block] = whole;
   this->Forks[block] =
-    this->IsLink(block) ? this->Forks[children.FirstChild] : static_cast<std::uint32_t>(block);
+    this->IsLink(block) ? this->Forks[octants.FirstChild] : static_cast<std::uint32_t>(block);
 }
 
 template <int Dim, typename Real>

@@ -106,7 +106,7 @@ TEST_F(TestInvariants, FlippedOccupiedBit)
 
 TEST_F(TestInvariants, WrongFirstChild)
 {
-  this->GetBlock(0).FirstChild += 1;
+  this->GetOctants(0).FirstChild += 1;
   this->ExpectBroken("keys and masks agree");
 }
 

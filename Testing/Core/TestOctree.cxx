@@ -216,7 +216,7 @@ TEST(TestOctreeFacts, TreeOfTheDrawing)
   EXPECT_EQ(tree.GetBlockKey(0).GetValue(), 0b1U);
   EXPECT_EQ(tree.GetOctants(0).Internal, 1U << 2); // Octant 0 is the lowest bit.
   EXPECT_EQ(tree.GetOctants(0).Occupied, 1U << 0 | 1U << 2 | 1U << 3);
-  EXPECT_EQ(root.FirstChild, 1U);
+  EXPECT_EQ(tree.GetChildBlock(0, 2), 1U);
   EXPECT_EQ(root.FirstPoint, (std::array<PointIndex, 5>{ 0, 1, 1, 4, 5 }));
   const Octree<2>::Block& child = tree.GetBlock(1);
   EXPECT_EQ(tree.GetBlockKey(1).GetValue(), 0b110U);

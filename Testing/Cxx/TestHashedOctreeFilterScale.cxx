@@ -9,7 +9,7 @@
 namespace
 {
 /** With 32-bit ids; the ranges of points in the blocks are twice as long with 64 bits. */
-constexpr double MostBytesPerNode = sizeof(hashedoctree::PointIndex) == 4 ? 10.3 : 15.3;
+constexpr double MostBytesPerNode = sizeof(hashedoctree::PointIndex) == 4 ? 10.3 : 15.1;
 
 /** Bytes of the tree for each of its nodes, as the paper counts them. */
 double GetBytesPerNode(TestedFilter& filter)
