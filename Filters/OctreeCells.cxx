@@ -24,7 +24,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t Grain = 2048; // Nodes or corners that a thread does at a time.
+constexpr std::size_t Grain = 512; // Nodes or corners that a thread does at a time.
 
 /** Up to so many nodes, all ids of their cells fit into 32 bits and take half the memory. */
 constexpr std::size_t MaxNodesWithShortIds = std::size_t(1) << 27;

@@ -40,15 +40,12 @@ public:
     if (size > 0)
     {
       const std::size_t bytes = size * sizeof(T) + alignof(T) - 1;
-      this->Allocation.reset(
-        memory == Memory::Zeroed ? std::calloc(bytes, 1) : AllocateInLargePages(bytes));
+      this->Allocation = memory == Memory::Zeroed
+        ? std::unique_ptr<void, Free>(AllocateZeroedInLargePages(bytes), Free{ bytes })
+        : std::unique_ptr<void, Free>(AllocateInLargePages(bytes));
       if (!this->Allocation)
       {
         throw std::bad_alloc();
-      }
-      if (memory == Memory::Zeroed)
-      {
-        UseLargePages(this->Allocation.get(), bytes);
       }
       void* aligned = this->Allocation.get();
       std::size_t space = bytes;
@@ -79,7 +76,19 @@ public:
 private:
   struct Free
   {
-    void operator()(void* memory) const { std::free(memory); }
+    std::size_t ZeroedBytes = 0; ///< 0 where memory did not start zeroed.
+
+    void operator()(void* memory) const
+    {
+      if (this->ZeroedBytes > 0)
+      {
+        FreeZeroed(memory, this->ZeroedBytes);
+      }
+      else
+      {
+        std::free(memory);
+      }
+    }
   };
   std::unique_ptr<void, Free> Allocation;
   T* Values = nullptr; ///< The first aligned place in it.

@@ -35,13 +35,18 @@ inline void UseLargePages(void* memory, std::size_t bytes)
 #endif
 }
 
+constexpr std::size_t RoundToLargePages(std::size_t bytes)
+{
+  return (bytes + LargePageSize - 1) / LargePageSize * LargePageSize;
+}
+
 /** As std::malloc(), with large pages where they pay: then it takes up whole ones. */
 inline void* AllocateInLargePages(std::size_t bytes)
 {
 #ifdef __linux__
   if (bytes >= FirstLargeSize)
   {
-    const std::size_t rounded = (bytes + LargePageSize - 1) / LargePageSize * LargePageSize;
+    const std::size_t rounded = RoundToLargePages(bytes);
     void* memory = std::aligned_alloc(LargePageSize, rounded);
     if (memory != nullptr)
     {
@@ -51,6 +56,48 @@ inline void* AllocateInLargePages(std::size_t bytes)
   }
 #endif
   return std::malloc(bytes);
+}
+
+/** As std::calloc(), with large pages where they pay: then they come from the system, which has
+ * them zeroed, as they are touched, and go back to it at once. To be freed by FreeZeroed(). */
+inline void* AllocateZeroedInLargePages(std::size_t bytes)
+{
+#ifdef __linux__
+  if (bytes >= FirstLargeSize)
+  {
+    // One page more than wanted, for a whole number of pages in it.
+    const std::size_t rounded = RoundToLargePages(bytes);
+    void* mapped = mmap(
+      nullptr, rounded + LargePageSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapped == MAP_FAILED)
+    {
+      return nullptr;
+    }
+    char* const begin = static_cast<char*>(mapped);
+    const std::size_t before = RoundToLargePages(reinterpret_cast<std::uintptr_t>(mapped)) -
+      reinterpret_cast<std::uintptr_t>(mapped);
+    if (before > 0)
+    {
+      munmap(begin, before);
+    }
+    munmap(begin + before + rounded, LargePageSize - before);
+    UseLargePages(begin + before, rounded);
+    return begin + before;
+  }
+#endif
+  return std::calloc(bytes, 1);
+}
+
+inline void FreeZeroed(void* memory, std::size_t bytes)
+{
+#ifdef __linux__
+  if (bytes >= FirstLargeSize)
+  {
+    munmap(memory, RoundToLargePages(bytes));
+    return;
+  }
+#endif
+  std::free(memory);
 }
 }
 

@@ -2,18 +2,25 @@
 #include "MeasuredCost.h"
 
 #include <array>
+#include <atomic>
 
 namespace hashedoctree
 {
 namespace
 {
 /** Nodes examined for all leaves, and for all points, per start depth. */
-template <int Dim>
+template <int Dim, typename Number>
 struct Sums
 {
-  std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1> Leaves{};
-  std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1> Points{};
+  std::array<Number, MortonKey<Dim>::MaxDepth + 1> Leaves{};
+  std::array<Number, MortonKey<Dim>::MaxDepth + 1> Points{};
 };
+
+/** What one thread adds to, and the sum of all. */
+template <int Dim>
+using Part = Sums<Dim, std::uint64_t>;
+template <int Dim>
+using Total = Sums<Dim, std::atomic<std::uint64_t>>;
 
 /** The keys that searches for the leaves of a block look up, and do not find, when they start below
  * them: scattered over the table, so they are asked for well ahead. */
@@ -32,14 +39,24 @@ void PrefetchBelow(const Octree<Dim>& tree, std::size_t block)
 }
 
 template <int Dim>
-void AddLeaf(const Octree<Dim>& tree, const typename Octree<Dim>::Node& leaf, Sums<Dim>& sums)
+void AddLeaf(const Octree<Dim>& tree, const typename Octree<Dim>::Node& leaf, Part<Dim>& part)
 {
   const MortonKey<Dim> key = leaf.NodeKey.GetFirstAtMaxDepth();
   for (int startDepth = 0; startDepth <= tree.GetDeepestDepth(); ++startDepth)
   {
     const std::uint64_t nodes = CountExaminedNodes(tree, key, startDepth);
-    sums.Leaves[static_cast<std::size_t>(startDepth)] += nodes;
-    sums.Points[static_cast<std::size_t>(startDepth)] += nodes * leaf.GetNumberOfPoints();
+    part.Leaves[static_cast<std::size_t>(startDepth)] += nodes;
+    part.Points[static_cast<std::size_t>(startDepth)] += nodes * leaf.GetNumberOfPoints();
+  }
+}
+
+template <int Dim>
+void AddPart(const Part<Dim>& part, Total<Dim>& total)
+{
+  for (std::size_t depth = 0; depth < part.Leaves.size(); ++depth)
+  {
+    total.Leaves[depth].fetch_add(part.Leaves[depth], std::memory_order_relaxed);
+    total.Points[depth].fetch_add(part.Points[depth], std::memory_order_relaxed);
   }
 }
 }
@@ -47,17 +64,19 @@ void AddLeaf(const Octree<Dim>& tree, const typename Octree<Dim>::Node& leaf, Su
 template <int Dim>
 MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
 {
-  constexpr std::size_t chunkSize = 64; // Blocks, of up to 2^Dim leaves each.
+  constexpr std::size_t chunkSize = 32; // Blocks, of up to 2^Dim leaves each.
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
-  std::vector<Sums<Dim>> sums(Execution::GetNumberOfChunks(numberOfBlocks, chunkSize) + 1);
+  Total<Dim> total;
   if (!tree.IsRootInternal())
   {
-    AddLeaf(tree, tree.GetRoot(), sums.back());
+    Part<Dim> root;
+    AddLeaf(tree, tree.GetRoot(), root);
+    AddPart(root, total);
   }
   execution.ForChunks(numberOfBlocks, chunkSize,
-    [&](std::size_t chunk, std::size_t first, std::size_t last)
+    [&](std::size_t, std::size_t first, std::size_t last)
     {
-      Sums<Dim> local;
+      Part<Dim> part;
       for (std::size_t block = first; block < last; ++block)
       {
         PrefetchBelow(tree, std::min(block + 1, numberOfBlocks - 1));
@@ -66,11 +85,11 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
           const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
           if (!child.Internal)
           {
-            AddLeaf(tree, child, local);
+            AddLeaf(tree, child, part);
           }
         }
       }
-      sums[chunk] = local;
+      AddPart(part, total);
     });
 
   MeasuredCost mean;
@@ -78,15 +97,8 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
   const auto points = static_cast<double>(tree.GetNumberOfPoints());
   for (std::size_t depth = 0; depth <= static_cast<std::size_t>(tree.GetDeepestDepth()); ++depth)
   {
-    std::uint64_t forLeaves = 0;
-    std::uint64_t forPoints = 0;
-    for (const Sums<Dim>& part : sums)
-    {
-      forLeaves += part.Leaves[depth];
-      forPoints += part.Points[depth];
-    }
-    mean.Leaves.push_back(static_cast<double>(forLeaves) / leaves);
-    mean.Points.push_back(points > 0.0 ? static_cast<double>(forPoints) / points : 0.0);
+    mean.Leaves.push_back(static_cast<double>(total.Leaves[depth]) / leaves);
+    mean.Points.push_back(points > 0.0 ? static_cast<double>(total.Points[depth]) / points : 0.0);
   }
   return mean;
 }

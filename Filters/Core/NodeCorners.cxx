@@ -40,7 +40,7 @@ struct Extent
   }
 };
 
-constexpr std::size_t BatchSize = 16384;    // Nodes between two reports of progress.
+constexpr std::size_t BatchSize = 4096;     // Nodes between two reports of progress.
 constexpr std::size_t PrefetchDistance = 6; // Nodes ahead whose corners are on the way.
 
 /**
@@ -147,26 +147,26 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
 {
   const std::size_t numberOfNodes = nodes.GetSize();
   CornerNumbers numbers;
-  bool hasGrown = false;
   for (std::size_t node = 0; node < numberOfNodes; ++node)
   {
+    bool isDue = node % BatchSize == 0;
     const Extent<Dim> ahead(nodes[std::min(node + PrefetchDistance, numberOfNodes - 1)].NodeKey);
     const Extent<Dim> extent(nodes[node].NodeKey);
     for (unsigned corner = 0; corner < CornersOfNode; ++corner)
     {
       numbers.Prefetch(Code(ahead.GetCorner(corner)));
       const std::uint64_t code = Code(extent.GetCorner(corner));
-      const std::uint64_t number = numbers.FindOrInsert(code, this->Count, hasGrown);
+      const std::uint64_t number = numbers.FindOrInsert(code, this->Count, isDue);
       if (number == this->Count)
       {
         this->Codes[this->Count++] = code;
       }
       connectivity[node * CornersOfNode + corner] = static_cast<Integer>(number);
-    }
-    if (hasGrown || node % BatchSize == 0)
-    {
-      hasGrown = false;
-      execution.Tell(static_cast<double>(node) / static_cast<double>(numberOfNodes));
+      if (isDue)
+      {
+        isDue = false;
+        execution.Tell(static_cast<double>(node) / static_cast<double>(numberOfNodes));
+      }
     }
   }
   numbers.Clear(execution);

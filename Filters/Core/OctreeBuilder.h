@@ -2,6 +2,7 @@
 #ifndef hashedoctree_OctreeBuilder_h
 #define hashedoctree_OctreeBuilder_h
 
+#include "FirstTouch.h"
 #include "MortonOrder.h"
 #include "Octree.h"
 
@@ -127,6 +128,10 @@ private:
   /** Gives each internal node its key, its first point and its first child. */
   void PlaceNodes(const Execution& execution)
   {
+    // A chunk writes to as many places as there are depths.
+    TouchPages(this->Tree.Blocks, execution);
+    TouchPages(this->Tree.BlockOctants, execution);
+    TouchPages(this->Tree.BlockKeys, execution);
     execution.ForChunks(this->Points.GetSize(), ChunkSize,
       [this](std::size_t chunk, std::size_t, std::size_t)
       {
