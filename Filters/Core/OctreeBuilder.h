@@ -6,7 +6,9 @@
 #include "MortonOrder.h"
 #include "Octree.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace hashedoctree
@@ -18,8 +20,9 @@ namespace hashedoctree
  * The node at depth l that begins at point i is internal just when point i - 1 is outside it and
  * point i + MaxPointsPerLeaf inside, and that follows from the common depths of the keys. So each
  * point tells by itself which internal nodes begin at it, at which depths; a count per depth and
- * a running sum then give the place of every node, breadth first, and the threads write all depths
- * at once.
+ * a running sum then give the place of every node, breadth first. A walk along the points, on which
+ * a thread begins anywhere, writes all depths at once: where a leaf begins, the children end that
+ * the point before was in and this one is not.
  */
 template <int Dim>
 class OctreeBuilder
@@ -28,17 +31,23 @@ public:
   OctreeBuilder(Octree<Dim>& tree, const Buffer<CodedPoint<Dim>>& points)
     : Tree(tree)
     , Points(points)
-    , NodesBefore(Execution::GetNumberOfChunks(points.GetSize(), ChunkSize))
-    , FirstPoints(NodesBefore.size())
+    , ChunksBefore(Execution::GetNumberOfChunks(points.GetSize(), ChunkSize))
   {
   }
 
   void Build(const Execution& execution)
   {
-    this->CountNodes(execution.Part(0.0, 0.2));
-    this->PlaceNodes(execution.Part(0.2, 0.4));
-    this->DescribeChildren(execution.Part(0.4, 0.8));
-    this->FillTable(execution.Part(0.8, 1.0));
+    this->CountNodes(execution.Part(0.0, 0.3));
+    if (this->Tree.IsRootInternal())
+    {
+      this->PlaceNodes(execution.Part(0.3, 0.6));
+      this->DescribeChildren(execution.Part(0.6, 0.8));
+      this->FillTable(execution.Part(0.8, 1.0));
+    }
+    else
+    {
+      this->Tree.Counts = DepthCounts{ { 1 }, { 0 }, { this->Points.GetSize() } };
+    }
   }
 
 private:
@@ -52,6 +61,15 @@ private:
 
   /** One number for each depth. */
   using PerDepth = std::array<std::size_t, NumberOfDepths>;
+
+  /** What the chunks of points before one have: how many internal nodes of each depth begin there,
+   * or where those of the depth begin among the blocks, and one past the point where the last does,
+   * or 0. */
+  struct Before
+  {
+    PerDepth Nodes{};
+    PerDepth LastBegin{};
+  };
 
   /** Depths [First, Last] of the internal nodes that begin at point i; none if First > Last. */
   struct DepthRange
@@ -79,8 +97,7 @@ private:
     return depths;
   }
 
-  /** Fills FirstPoints, and NodesBefore: where the nodes of each depth begin in the order of the
-   * blocks, chunk by chunk of points. Also copies the ids, since it reads all points anyway. */
+  /** Fills ChunksBefore, and copies the ids, since it reads all points anyway. */
   void CountNodes(const Execution& execution)
   {
     const std::size_t numberOfPoints = this->Points.GetSize();
@@ -88,44 +105,42 @@ private:
     execution.ForChunks(numberOfPoints, ChunkSize,
       [this](std::size_t chunk, std::size_t first, std::size_t last)
       {
-        PerDepth counts{};
+        Before here;
         for (std::size_t i = first; i < last; ++i)
         {
           this->Tree.PointIds[i] = this->Points[i].Id;
           const DepthRange depths = this->GetInternalNodesAt(i);
-          if (depths.First <= depths.Last)
-          {
-            this->FirstPoints[chunk].push_back(static_cast<PointIndex>(i));
-          }
           for (int depth = depths.First; depth <= depths.Last; ++depth)
           {
-            ++counts[static_cast<std::size_t>(depth)];
+            ++here.Nodes[static_cast<std::size_t>(depth)];
+            here.LastBegin[static_cast<std::size_t>(depth)] = i + 1;
           }
         }
-        this->NodesBefore[chunk] = counts;
+        this->ChunksBefore[chunk] = here;
       });
 
-    std::size_t sum = 0;
+    std::size_t nodes = 0;
     for (std::size_t depth = 0; depth < NumberOfDepths; ++depth)
     {
-      for (PerDepth& chunk : this->NodesBefore)
+      std::size_t lastBegin = 0;
+      for (Before& chunk : this->ChunksBefore)
       {
-        const std::size_t here = chunk[depth];
-        chunk[depth] = sum;
-        sum += here;
+        nodes += std::exchange(chunk.Nodes[depth], nodes);
+        lastBegin = std::max(lastBegin, std::exchange(chunk.LastBegin[depth], lastBegin));
       }
     }
-    if (sum > 0xffffffffU)
+    if (nodes > 0xffffffffU)
     {
       throw std::length_error("The tree would have more nodes than 32 bits can number; allow more "
                               "points per leaf or less depth.");
     }
-    this->Tree.Blocks = Buffer<Block>(sum);
-    this->Tree.BlockOctants = Buffer<Octants>(sum);
-    this->Tree.BlockKeys = Buffer<Key>(sum);
+    this->Tree.Blocks = Buffer<Block>(nodes, Memory::Zeroed);
+    this->Tree.BlockOctants = Buffer<Octants>(nodes);
+    this->Tree.BlockKeys = Buffer<Key>(nodes);
   }
 
-  /** Gives each internal node its key, its first point and its first child. */
+  /** Gives each internal node its key, its first point and its first child, and tells for those of
+   * its children that hold points where they end. */
   void PlaceNodes(const Execution& execution)
   {
     // A chunk writes to as many places as there are depths.
@@ -133,27 +148,81 @@ private:
     TouchPages(this->Tree.BlockOctants, execution);
     TouchPages(this->Tree.BlockKeys, execution);
     execution.ForChunks(this->Points.GetSize(), ChunkSize,
-      [this](std::size_t chunk, std::size_t, std::size_t)
-      {
-        PerDepth next = this->NodesBefore[chunk];
-        for (const PointIndex i : this->FirstPoints[chunk])
-        {
-          const DepthRange depths = this->GetInternalNodesAt(i);
-          for (int depth = depths.First; depth <= depths.Last; ++depth)
-          {
-            const auto d = static_cast<std::size_t>(depth);
-            const std::size_t node = next[d]++;
-            this->Tree.BlockKeys[node] = this->Points[i].Key.AtDepth(depth);
-            this->Tree.Blocks[node].FirstPoint[0] = i;
-            // Internal children begin here or later, and all earlier ones have other parents.
-            this->Tree.BlockOctants[node].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
-          }
-        }
-      });
+      [this](std::size_t chunk, std::size_t first, std::size_t last)
+      { this->PlaceNodesOf(this->ChunksBefore[chunk], first, last); });
   }
 
-  /** Finds where the children of each internal node begin, which are internal, and counts leaves.
-   */
+  void PlaceNodesOf(const Before& before, std::size_t first, std::size_t last)
+  {
+    PerDepth next = before.Nodes;
+    int deepest = this->GetDeepestBefore(before, first);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const Key key = this->Points[i].Key;
+      int common = -1;
+      if (i > 0)
+      {
+        common = Key::GetCommonDepth(this->Points[i - 1].Key, key);
+        if (common > deepest)
+        {
+          continue; // In the same leaf.
+        }
+        this->EndChildren(next, i, common, deepest);
+      }
+      const std::size_t bucket = this->Tree.BuildOptions.MaxPointsPerLeaf;
+      deepest = common;
+      if (bucket < this->Points.GetSize() - i)
+      {
+        deepest = std::max(common,
+          std::min(Key::GetCommonDepth(key, this->Points[i + bucket].Key),
+            this->Tree.BuildOptions.MaxDepth - 1));
+      }
+      for (int depth = common + 1; depth <= deepest; ++depth)
+      {
+        const auto d = static_cast<std::size_t>(depth);
+        const std::size_t node = next[d]++;
+        this->Tree.BlockKeys[node] = key.AtDepth(depth);
+        this->Tree.Blocks[node].FirstPoint[0] = static_cast<PointIndex>(i);
+        // Internal children begin here or later, and all earlier ones have other parents.
+        this->Tree.BlockOctants[node].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
+      }
+    }
+    if (last == this->Points.GetSize())
+    {
+      this->EndChildren(next, last, 0, deepest);
+    }
+  }
+
+  /** The depth of the deepest internal node that the point before a chunk is in, -1 for none. */
+  int GetDeepestBefore(const Before& before, std::size_t first) const
+  {
+    int depth = first == 0 ? -1 : this->Tree.BuildOptions.MaxDepth - 1;
+    for (; depth >= 0; --depth)
+    {
+      const std::size_t lastBegin = before.LastBegin[static_cast<std::size_t>(depth)];
+      if (lastBegin > 0 &&
+        Key::GetCommonDepth(this->Points[lastBegin - 1].Key, this->Points[first - 1].Key) >= depth)
+      {
+        break;
+      }
+    }
+    return depth;
+  }
+
+  /** Tells the internal nodes of some depths that the point before i is in that the child which
+   * holds it ends at i. */
+  void EndChildren(const PerDepth& next, std::size_t i, int firstDepth, int lastDepth)
+  {
+    const Key key = this->Points[i - 1].Key;
+    for (int depth = firstDepth; depth <= lastDepth; ++depth)
+    {
+      Block& block = this->Tree.Blocks[next[static_cast<std::size_t>(depth)] - 1];
+      block.FirstPoint[key.AtDepth(depth + 1).GetOctant() + 1] = static_cast<PointIndex>(i);
+    }
+  }
+
+  /** Finds where the empty children of each internal node are, which are internal, and counts
+   * leaves. */
   void DescribeChildren(const Execution& execution)
   {
     const std::size_t numberOfNodes = this->Tree.GetNumberOfInternalNodes();
@@ -171,7 +240,7 @@ private:
     this->SumUp(tallies);
   }
 
-  /** Leaves, empty leaves and points at each depth. */
+  /** Leaves, empty leaves and points in leaves at each depth. */
   struct DepthTally
   {
     PerDepth Leaves;
@@ -181,95 +250,38 @@ private:
 
   void DescribeChildrenOf(std::size_t node, DepthTally& tally)
   {
-    Block& block = this->Tree.Blocks[node];
-    const Key key = this->Tree.BlockKeys[node];
-    const auto depth = static_cast<std::size_t>(key.GetDepth() + 1);
-    const bool canSplit = static_cast<int>(depth) < this->Tree.BuildOptions.MaxDepth;
-    this->FindChildRanges(key, block.FirstPoint);
+    auto& firstPoint = this->Tree.Blocks[node].FirstPoint;
+    const auto depth = static_cast<std::size_t>(this->Tree.BlockKeys[node].GetDepth() + 1);
+    const std::size_t mostInLeaf = static_cast<int>(depth) < this->Tree.BuildOptions.MaxDepth
+      ? std::min(this->Tree.BuildOptions.MaxPointsPerLeaf, this->Points.GetSize())
+      : this->Points.GetSize();
+    const auto most = static_cast<PointIndex>(mostInLeaf);
+    PointIndex begin = firstPoint[0];
+    PointIndex inInternal = 0;
     unsigned internal = 0;
     unsigned occupied = 0;
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
     {
-      const std::size_t count = block.FirstPoint[octant + 1] - block.FirstPoint[octant];
-      occupied |= (count != 0 ? 1U : 0U) << octant;
-      if (canSplit && count > this->Tree.BuildOptions.MaxPointsPerLeaf)
-      {
-        internal |= 1U << octant;
-      }
-      else
-      {
-        ++tally.Leaves[depth];
-        tally.EmptyLeaves[depth] += count == 0 ? 1 : 0;
-        tally.Points[depth] += count;
-      }
+      // An empty child, which nobody told where it ends, ends where the one before it does.
+      const PointIndex end = std::max(firstPoint[octant + 1], begin);
+      const PointIndex count = end - begin;
+      firstPoint[octant + 1] = end;
+      begin = end;
+      occupied |= static_cast<unsigned>(count != 0) << octant;
+      internal |= static_cast<unsigned>(count > most) << octant;
+      inInternal += count > most ? count : 0;
     }
     this->Tree.BlockOctants[node].Internal = static_cast<OctantMask<Dim>>(internal);
     this->Tree.BlockOctants[node].Occupied = static_cast<OctantMask<Dim>>(occupied);
-  }
-
-  /** Where the range of each child begins and ends, given where the first one begins. */
-  void FindChildRanges(Key key, std::array<PointIndex, Key::NumberOfOctants + 1>& firstPoint) const
-  {
-    const std::size_t first = firstPoint[0];
-    const Key lastKey = key.GetLastAtMaxDepth();
-    if (first + CountingLimit < this->Points.GetSize() &&
-      this->Points[first + CountingLimit].Key <= lastKey)
-    {
-      for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
-      {
-        firstPoint[octant + 1] = static_cast<PointIndex>(
-          this->FindFirstPointAfter(key.GetChild(octant).GetLastAtMaxDepth(), firstPoint[octant]));
-      }
-      return;
-    }
-    // In a short range, counting the octant of every point takes fewer branches.
-    firstPoint.fill(0);
-    const int childDepth = key.GetDepth() + 1;
-    const std::size_t end = std::min(this->Points.GetSize(), first + CountingLimit);
-    for (std::size_t i = first; i < end && this->Points[i].Key <= lastKey; ++i)
-    {
-      ++firstPoint[this->Points[i].Key.AtDepth(childDepth).GetOctant() + 1];
-    }
-    firstPoint[0] = static_cast<PointIndex>(first);
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
-    {
-      firstPoint[octant + 1] += firstPoint[octant];
-    }
-  }
-  static constexpr std::size_t CountingLimit = 64; ///< Points of a short range.
-
-  /** The first point from `from` on whose key lies beyond `key`, by steps that double and then
-   * halve: most ranges are a few points long, and the long ones are few. */
-  std::size_t FindFirstPointAfter(Key key, std::size_t from) const
-  {
-    const std::size_t end = this->Points.GetSize();
-    std::size_t step = 1;
-    while (from < end && this->Points[from].Key <= key)
-    {
-      // All points before `from + 1` are known to lie within; look `step` further.
-      ++from;
-      if (from + step >= end || !(this->Points[from + step].Key <= key))
-      {
-        step = step > 1 ? step / 2 : 1;
-      }
-      else
-      {
-        from += step;
-        step *= 2;
-      }
-    }
-    return from;
+    tally.Leaves[depth] += Key::NumberOfOctants - CountOctants(internal);
+    tally.EmptyLeaves[depth] += Key::NumberOfOctants - CountOctants(occupied);
+    tally.Points[depth] += begin - firstPoint[0] - inInternal;
   }
 
   void SumUp(const std::vector<DepthTally>& tallies)
   {
     DepthCounts& counts = this->Tree.Counts;
     counts = DepthCounts{};
-    if (!this->Tree.IsRootInternal())
-    {
-      counts = DepthCounts{ { 1 }, { 0 }, { this->Points.GetSize() } };
-      return;
-    }
     for (std::size_t depth = 0; depth < NumberOfDepths; ++depth)
     {
       std::size_t leaves = 0;
@@ -317,8 +329,7 @@ private:
 
   Octree<Dim>& Tree;
   const Buffer<CodedPoint<Dim>>& Points;
-  std::vector<PerDepth> NodesBefore;
-  std::vector<std::vector<PointIndex>> FirstPoints; ///< Where internal nodes begin, by chunk.
+  std::vector<Before> ChunksBefore;
 };
 }
 
