@@ -253,9 +253,9 @@ private:
     auto& firstPoint = this->Tree.Blocks[node].FirstPoint;
     const auto depth = static_cast<std::size_t>(this->Tree.BlockKeys[node].GetDepth() + 1);
     const std::size_t mostInLeaf = static_cast<int>(depth) < this->Tree.BuildOptions.MaxDepth
-      ? std::min(this->Tree.BuildOptions.MaxPointsPerLeaf, this->Points.GetSize())
+      ? this->Tree.BuildOptions.MaxPointsPerLeaf
       : this->Points.GetSize();
-    const auto most = static_cast<PointIndex>(mostInLeaf);
+    const auto most = static_cast<PointIndex>(mostInLeaf); // Not more than there are points.
     PointIndex begin = firstPoint[0];
     PointIndex inInternal = 0;
     unsigned internal = 0;
