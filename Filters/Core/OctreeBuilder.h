@@ -2,6 +2,7 @@
 #ifndef hashedoctree_OctreeBuilder_h
 #define hashedoctree_OctreeBuilder_h
 
+#include "DepthTally.h"
 #include "FirstTouch.h"
 #include "MortonOrder.h"
 #include "Octree.h"
@@ -169,15 +170,9 @@ private:
         }
         this->EndChildren(next, i, common, deepest);
       }
-      const std::size_t bucket = this->Tree.BuildOptions.MaxPointsPerLeaf;
-      deepest = common;
-      if (bucket < this->Points.GetSize() - i)
-      {
-        deepest = std::max(common,
-          std::min(Key::GetCommonDepth(key, this->Points[i + bucket].Key),
-            this->Tree.BuildOptions.MaxDepth - 1));
-      }
-      for (int depth = common + 1; depth <= deepest; ++depth)
+      const DepthRange depths = this->GetInternalNodesAt(i);
+      deepest = std::max(common, depths.Last);
+      for (int depth = depths.First; depth <= depths.Last; ++depth)
       {
         const auto d = static_cast<std::size_t>(depth);
         const std::size_t node = next[d]++;
@@ -226,33 +221,29 @@ private:
   void DescribeChildren(const Execution& execution)
   {
     const std::size_t numberOfNodes = this->Tree.GetNumberOfInternalNodes();
-    std::vector<DepthTally> tallies(Execution::GetNumberOfChunks(numberOfNodes, NodeChunkSize));
+    std::vector<DepthTally<Dim>> tallies(
+      Execution::GetNumberOfChunks(numberOfNodes, NodeChunkSize));
     execution.ForChunks(numberOfNodes, NodeChunkSize,
       [this, &tallies](std::size_t chunk, std::size_t first, std::size_t last)
       {
-        DepthTally tally{};
         for (std::size_t node = first; node < last; ++node)
         {
-          this->DescribeChildrenOf(node, tally);
+          this->DescribeChildrenOf(node, tallies[chunk]);
         }
-        tallies[chunk] = tally;
       });
-    this->SumUp(tallies);
+    DepthTally<Dim> all;
+    for (const DepthTally<Dim>& tally : tallies)
+    {
+      all.Add(tally);
+    }
+    this->Tree.Counts = all.GetCounts();
   }
 
-  /** Leaves, empty leaves and points in leaves at each depth. */
-  struct DepthTally
-  {
-    PerDepth Leaves;
-    PerDepth EmptyLeaves;
-    PerDepth Points;
-  };
-
-  void DescribeChildrenOf(std::size_t node, DepthTally& tally)
+  void DescribeChildrenOf(std::size_t node, DepthTally<Dim>& tally)
   {
     auto& firstPoint = this->Tree.Blocks[node].FirstPoint;
-    const auto depth = static_cast<std::size_t>(this->Tree.BlockKeys[node].GetDepth() + 1);
-    const std::size_t mostInLeaf = static_cast<int>(depth) < this->Tree.BuildOptions.MaxDepth
+    const int depth = this->Tree.BlockKeys[node].GetDepth() + 1;
+    const std::size_t mostInLeaf = depth < this->Tree.BuildOptions.MaxDepth
       ? this->Tree.BuildOptions.MaxPointsPerLeaf
       : this->Points.GetSize();
     const auto most = static_cast<PointIndex>(mostInLeaf); // Not more than there are points.
@@ -271,38 +262,10 @@ private:
       internal |= static_cast<unsigned>(count > most) << octant;
       inInternal += count > most ? count : 0;
     }
-    this->Tree.BlockOctants[node].Internal = static_cast<OctantMask<Dim>>(internal);
-    this->Tree.BlockOctants[node].Occupied = static_cast<OctantMask<Dim>>(occupied);
-    tally.Leaves[depth] += Key::NumberOfOctants - CountOctants(internal);
-    tally.EmptyLeaves[depth] += Key::NumberOfOctants - CountOctants(occupied);
-    tally.Points[depth] += begin - firstPoint[0] - inInternal;
-  }
-
-  void SumUp(const std::vector<DepthTally>& tallies)
-  {
-    DepthCounts& counts = this->Tree.Counts;
-    counts = DepthCounts{};
-    for (std::size_t depth = 0; depth < NumberOfDepths; ++depth)
-    {
-      std::size_t leaves = 0;
-      std::size_t emptyLeaves = 0;
-      std::size_t points = 0;
-      for (const DepthTally& tally : tallies)
-      {
-        leaves += tally.Leaves[depth];
-        emptyLeaves += tally.EmptyLeaves[depth];
-        points += tally.Points[depth];
-      }
-      counts.Leaves.push_back(leaves);
-      counts.EmptyLeaves.push_back(emptyLeaves);
-      counts.Points.push_back(points);
-    }
-    while (counts.Leaves.back() == 0)
-    {
-      counts.Leaves.pop_back();
-      counts.EmptyLeaves.pop_back();
-      counts.Points.pop_back();
-    }
+    Octants& octants = this->Tree.BlockOctants[node];
+    octants.Internal = static_cast<OctantMask<Dim>>(internal);
+    octants.Occupied = static_cast<OctantMask<Dim>>(occupied);
+    tally.AddChildren(depth, octants, begin - firstPoint[0] - inInternal);
   }
 
   void FillTable(const Execution& execution)
