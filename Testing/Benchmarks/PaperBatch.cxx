@@ -19,6 +19,7 @@ void MeasureBatch(const hashedoctree::Octree<3>& tree, const std::vector<float>&
   std::uint64_t marks[2] = {};
   const auto findSingly = [&]
   {
+    marks[0] = 0;
     for (std::size_t i = 0; i < positions.Count; ++i)
     {
       const MortonKey<3> key = tree.GetGrid().GetKey(positions[i]);
@@ -27,6 +28,7 @@ void MeasureBatch(const hashedoctree::Octree<3>& tree, const std::vector<float>&
   };
   const auto findAtOnce = [&]
   {
+    marks[1] = 0;
     FindLeaves(
       tree, positions, 0, positions.Count, [startDepth](MortonKey<3>) { return startDepth; },
       [&marks](std::size_t i, const FoundLeaf<3>& leaf)

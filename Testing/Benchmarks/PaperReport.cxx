@@ -34,7 +34,9 @@ void WriteConditions(std::ostream& out, const std::vector<PaperResults>& sets, i
       << std::thread::hardware_concurrency()
       << " threads, of which one is used; the paper's: Pentium IV, 3 GHz\n- Compiler: "
       << HASHEDOCTREE_COMPILER << "\n- Times: medians of " << repetitions
-      << " repetitions, structures in turns; the spread is the width of the middle half over the "
+      << " repetitions, structures in turns, each repeated for at least "
+      << 1e3 * SecondsOfMeasurement
+      << " ms; the spread is the width of the middle half over the "
          "median, the largest of all sets\n- Trees: one point per leaf to depth 21, empty leaves "
          "are nodes; all "
          "structures have the same leaves\n- Point sets: made by Data/make_point_sets.py as "

@@ -5,6 +5,22 @@
 
 namespace paper_benchmark
 {
+namespace
+{
+/** Mean seconds of one run. */
+double MeasureRun(const std::function<double()>& run)
+{
+  double seconds = 0.0;
+  int runs = 0;
+  while (seconds < SecondsOfMeasurement)
+  {
+    seconds += run();
+    ++runs;
+  }
+  return seconds / runs;
+}
+}
+
 std::vector<Spread> TimeInTurns(
   const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions)
 {
@@ -13,7 +29,7 @@ std::vector<Spread> TimeInTurns(
   {
     for (std::size_t run = 0; run < runs.size(); ++run)
     {
-      seconds[run].push_back(runs[run]() / static_cast<double>(searches));
+      seconds[run].push_back(MeasureRun(runs[run]) / static_cast<double>(searches));
     }
   }
   std::vector<Spread> spreads;

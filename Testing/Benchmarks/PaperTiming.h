@@ -32,6 +32,10 @@ double GetSeconds(const Function& function)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/** A measurement goes on for at least so long: runs that take less are repeated for it, so that
+ * what the measurement before left in the caches is of no matter. */
+constexpr double SecondsOfMeasurement = 2e-3;
+
 /** Does all runs in turns, again and again, so that a machine that changes its speed slows them all
  * alike. A run does `searches` searches, or one build, and returns the seconds that it took; what
  * comes back, in the same order, is for one of them. */
