@@ -55,6 +55,23 @@ std::vector<std::uint64_t> MakeCornerKeys(std::size_t count)
   return keys;
 }
 
+TYPED_TEST(TestNodeTable, KeysOfWhichHalfIsTheSameDiffer)
+{
+  constexpr std::uint64_t upper = std::uint64_t(1) << 32;
+  const std::vector<std::uint64_t> keys{ 5 * upper + 7, 7 * upper + 5, 5 * upper, 7 };
+  const auto table = MakeTable<TypeParam>(keys);
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    ASSERT_NE(table.Find(keys[i]), nullptr);
+    EXPECT_EQ(*table.Find(keys[i]), i);
+  }
+  for (const std::uint64_t other :
+    { 5 * upper + 5, 7 * upper + 7, 6 * upper + 7, 5 * upper + 6, 7 * upper, std::uint64_t(5) })
+  {
+    EXPECT_EQ(table.Find(other), nullptr) << other;
+  }
+}
+
 TYPED_TEST(TestNodeTable, FindsWhatIsInItAndNothingElse)
 {
   std::mt19937_64 random(41);
