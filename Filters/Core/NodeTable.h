@@ -4,6 +4,7 @@
 
 #include "Buffer.h"
 #include "FirstTouch.h"
+#include "KeyMatch.h"
 #include "NodeHash.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@
 #include <cstdint>
 #include <utility>
 #include <vector>
-
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 namespace hashedoctree
 {
@@ -127,7 +124,7 @@ public:
     for (std::size_t home = this->GetHome(key);; home = this->GetNext(home))
     {
       const Bucket& bucket = this->Buckets[home];
-      const unsigned match = bucket.Match(key);
+      const unsigned match = MatchKeys(bucket.Keys, key);
       if (match != 0)
       {
         return &bucket.Values[__builtin_ctz(match)];
@@ -194,29 +191,6 @@ private:
     Value Values[SlotsOfBucket];
 
     bool IsFull() const { return this->Keys[SlotsOfBucket - 1] != 0; }
-    /** The slot that has the key, as one bit of four, or 0. */
-    unsigned Match(std::uint64_t key) const
-    {
-#ifdef __SSE2__
-      // Halves of keys are what SSE2 compares; both must be the same.
-      const __m128i wanted = _mm_set1_epi64x(static_cast<long long>(key));
-      const auto compare = [wanted](const std::uint64_t* keys)
-      {
-        const __m128i same =
-          _mm_cmpeq_epi32(_mm_load_si128(reinterpret_cast<const __m128i*>(keys)), wanted);
-        return _mm_castsi128_ps(_mm_and_si128(same, _mm_shuffle_epi32(same, 0xb1)));
-      };
-      return static_cast<unsigned>(
-        _mm_movemask_ps(_mm_shuffle_ps(compare(this->Keys), compare(this->Keys + 2), 0x88)));
-#else
-      unsigned match = 0;
-      for (unsigned slot = 0; slot < SlotsOfBucket; ++slot)
-      {
-        match |= (this->Keys[slot] == key ? 1U : 0U) << slot;
-      }
-      return match;
-#endif
-    }
     /** The last key takes the place of the one that goes. */
     void Remove(std::size_t slot)
     {
@@ -230,13 +204,9 @@ private:
       this->Keys[last] = 0;
     }
   };
-  static_assert(
-    SlotsOfBucket == 4 && sizeof(Value) == 8, "a bucket must be four slots and fill a cache line");
+  static_assert(sizeof(Value) == 8 && SlotsOfBucket == MatchedKeys, "a bucket is one cache line");
 
-  std::size_t GetHome(std::uint64_t key) const
-  {
-    return this->Slots.GetSlot(key) / SlotsOfBucket;
-  }
+  std::size_t GetHome(std::uint64_t key) const { return this->Slots.GetSlot(key) / SlotsOfBucket; }
   std::size_t GetNext(std::size_t bucket) const
   {
     return bucket + 1 == this->Buckets.GetSize() ? 0 : bucket + 1;

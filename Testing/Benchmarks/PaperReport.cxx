@@ -6,6 +6,7 @@
 #include "PaperKeys.h"
 #include "PaperStartDepthTables.h"
 #include "PaperTables.h"
+#include "PaperTiming.h"
 
 #include <fstream>
 #include <ostream>

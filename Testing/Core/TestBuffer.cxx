@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 using namespace hashedoctree;
 
@@ -61,15 +63,17 @@ TEST(TestBuffer, MovingLeavesNothingBehind)
 {
   for (const std::size_t size : Sizes)
   {
-    Buffer<char> from(size, Memory::Zeroed);
-    from[size - 1] = 'a';
-    Buffer<char> to(std::move(from));
-    EXPECT_EQ(from.GetSize(), 0U);
-    EXPECT_EQ(from.GetData(), nullptr);
-    EXPECT_EQ(to[size - 1], 'a');
+    std::vector<Buffer<char>> buffers;
+    buffers.reserve(2);
+    buffers.emplace_back(size, Memory::Zeroed);
+    buffers[0][size - 1] = 'a';
+    buffers.emplace_back(std::move(buffers[0]));
+    EXPECT_EQ(buffers[0].GetSize(), 0U);
+    EXPECT_EQ(buffers[0].GetData(), nullptr);
+    EXPECT_EQ(buffers[1][size - 1], 'a');
     Buffer<char> assigned(7);
-    assigned = std::move(to);
-    EXPECT_EQ(to.GetSize(), 0U);
+    assigned = std::move(buffers[1]);
+    EXPECT_EQ(buffers[1].GetSize(), 0U);
     EXPECT_EQ(assigned.GetSize(), size);
     EXPECT_EQ(assigned[size - 1], 'a');
   }
