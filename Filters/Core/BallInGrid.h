@@ -45,10 +45,17 @@ public:
   const Cell<Dim>& GetHome() const { return this->Home; }
 
   /** Gives the ball its radius, squared and in world units; may be infinite. */
-  void SetRadius2(double radius2)
+  void SetRadius2(double radius2) { this->SetReach(this->GetReach(radius2)); }
+
+  /** What SetRadius2() does, in two steps: the radius with room for rounding, */
+  double GetReach(double radius2) const
   {
     const double radius = std::sqrt(radius2 + Underflow) * this->CellsPerLength;
-    const double reach = radius + Rounding + RelativeRounding * (radius + this->Farthest);
+    return radius + Rounding + RelativeRounding * (radius + this->Farthest);
+  }
+  /** and the cells between which the ball lies. */
+  void SetReach(double reach)
+  {
     std::uint32_t difference = 0;
     std::uint32_t width = 0;
     for (int axis = 0; axis < Dim; ++axis)

@@ -32,6 +32,13 @@ public:
   /** Of a tree whose root is internal, with the boxes of its blocks' children. O(coarse cells). */
   FreeSpace(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes);
 
+  /** The same as Holds() of a ball that has this reach (BallInGrid::GetReach()), told faster, but
+   * true only where the ball has a coarse cell of room. */
+  bool HoldsAround(const BallInGrid<Dim>& ball, double reach) const
+  {
+    const auto cell = static_cast<double>(std::uint64_t(1) << (Key::MaxDepth - this->Depth));
+    return reach < cell * (static_cast<double>(this->GetCellsToPoints(ball)) - 1.0);
+  }
   /** Whether no point of the tree can be in a ball. It may have none even if not. */
   bool Holds(const BallInGrid<Dim>& ball) const
   {

@@ -49,7 +49,13 @@ public:
     }
     if (Collector::HasFixedBall || this->Points.GetBound2() < Infinity)
     {
-      this->Ball.SetRadius2(this->Points.GetBound2());
+      // Most balls that find nothing are far from all points: these need no corners.
+      const double reach = this->Ball.GetReach(this->Points.GetBound2());
+      if (this->Free.HoldsAround(this->Ball, reach))
+      {
+        return;
+      }
+      this->Ball.SetReach(reach);
       if (this->Free.Holds(this->Ball))
       {
         return;

@@ -33,6 +33,11 @@ protected:
     ball.SetRadius2(radius * radius);
     return tree.GetFreeSpace().Holds(ball);
   }
+  static bool HoldsAround(const Tree& tree, const Position<Dim>& center, double radius)
+  {
+    const BallInGrid<Dim> ball(tree.GetOctree().GetGrid(), center);
+    return tree.GetFreeSpace().HoldsAround(ball, ball.GetReach(radius * radius));
+  }
 };
 TYPED_TEST_SUITE(TestFreeSpace, Dimensions);
 
@@ -63,6 +68,8 @@ TYPED_TEST(TestFreeSpace, HoldsTheBallsThatReachNoCellWithPoints)
     ASSERT_EQ(TestFixture::HoldsHomeOf(tree, center), toPoints > 0) << number;
     ASSERT_FALSE(TestFixture::Holds(tree, center, (toPoints + 0.49) / size)) << number;
     ASSERT_EQ(TestFixture::Holds(tree, center, (toPoints - 1 + 0.49) / size), toPoints > 0);
+    ASSERT_FALSE(TestFixture::HoldsAround(tree, center, (std::max(toPoints - 1, 0) + 0.01) / size));
+    ASSERT_EQ(TestFixture::HoldsAround(tree, center, (toPoints - 1 - 0.01) / size), toPoints > 1);
   }
 }
 
@@ -96,7 +103,9 @@ TYPED_TEST(TestFreeSpace, HoldsNoPoint)
           center[axis] = grid.GetLower()[axis] + grid.GetSide() * (1.5 * uniform(random) - 0.25);
         }
         const double radius = grid.GetSide() * std::pow(uniform(random), 3.0);
-        if (TestFixture::Holds(tree, center, radius))
+        const bool isHeld = TestFixture::Holds(tree, center, radius);
+        ASSERT_TRUE(isHeld || !TestFixture::HoldsAround(tree, center, radius));
+        if (isHeld)
         {
           ++held;
           ASSERT_EQ(CountWithin(oracle.FindAll(center), radius), 0U);
@@ -119,4 +128,6 @@ TYPED_TEST(TestFreeSpace, IsNowhereAroundFewPoints)
   EXPECT_EQ(tree.GetFreeSpace().GetBytes(), 1U);
   EXPECT_FALSE(TestFixture::Holds(tree, center, 0.0));
   EXPECT_FALSE(TestFixture::Holds(tree, center, INFINITY));
+  EXPECT_FALSE(TestFixture::HoldsAround(tree, center, 0.0));
+  EXPECT_FALSE(TestFixture::HoldsAround(tree, center, INFINITY));
 }
