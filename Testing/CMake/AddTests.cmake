@@ -2,12 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # One line registers one test. A test whose host is not there (no VTK, no plugin) is still recorded
-# as registered, because Registered.cmake compares the record with the files under Testing.
+# as registered, because CheckRegistered.cmake compares the record with the files under Testing. With
+# the thread sanitizer only the tests that start threads are built: it has nothing to say of others.
 
-# hashedoctree_add_core_test(<name>): GoogleTest in Core/<name>.cxx, with no VTK linked.
+# hashedoctree_add_core_test(<name> [<folder>]): GoogleTest in Core/<name>.cxx, with no VTK linked;
+# it includes headers of the folder.
 function (hashedoctree_add_core_test name)
   _hashedoctree_record("Core/${name}.cxx")
   _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core)
+  if (ARGN AND TARGET "${name}")
+    target_include_directories("${name}" PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/${ARGN}")
+  endif ()
 endfunction ()
 
 # hashedoctree_add_vtk_test(<name> [<library>...]): GoogleTest in Cxx/<name>.cxx.
@@ -95,6 +100,12 @@ function (_hashedoctree_record file)
 endfunction ()
 
 function (_hashedoctree_add_gtest name file label)
+  if (HASHEDOCTREE_SANITIZE STREQUAL "thread")
+    file(STRINGS "${file}" threads REGEX "#include [\"<](Threads\\.h|vtkSMPTools\\.h|thread)[\">]")
+    if (NOT threads)
+      return ()
+    endif ()
+  endif ()
   add_executable("${name}" "${file}")
   target_include_directories("${name}" PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Support")
   target_link_libraries("${name}" PRIVATE ${ARGN} GTest::gtest_main)
