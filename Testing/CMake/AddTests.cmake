@@ -5,24 +5,21 @@
 # as registered, because CheckRegistered.cmake compares the record with the files under Testing. With
 # the thread sanitizer only the tests that start threads are built: it has nothing to say of others.
 
-# hashedoctree_add_core_test(<name> [<folder>]): GoogleTest in Core/<name>.cxx, with no VTK linked;
-# it includes headers of the folder.
+# hashedoctree_add_core_test(<name>): GoogleTest in Core/<name>.cxx, with no VTK linked.
 function (hashedoctree_add_core_test name)
   _hashedoctree_record("Core/${name}.cxx")
   _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core)
-  if (ARGN AND TARGET "${name}")
-    target_include_directories("${name}" PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/${ARGN}")
-  endif ()
 endfunction ()
 
-# hashedoctree_add_vtk_test(<name> [<library>...]): GoogleTest in Cxx/<name>.cxx.
+# hashedoctree_add_vtk_test(<name>): GoogleTest in Cxx/<name>.cxx.
 function (hashedoctree_add_vtk_test name)
   _hashedoctree_record("Cxx/${name}.cxx")
   if (NOT HASHEDOCTREE_HAVE_VTK)
     return ()
   endif ()
   _hashedoctree_add_gtest("${name}" "Cxx/${name}.cxx" vtk
-    HashedOctree::Filters HashedOctree::Core VTK::FiltersSources ${ARGN})
+    HashedOctree::Filters HashedOctree::Core
+    VTK::FiltersGeneral VTK::FiltersPoints VTK::FiltersSources)
 endfunction ()
 
 # hashedoctree_add_python_test(<name> [DISPLAY | PLAIN | SERVER | RANKS <n>]): Python/<name>.py with the
@@ -107,7 +104,8 @@ function (_hashedoctree_add_gtest name file label)
     endif ()
   endif ()
   add_executable("${name}" "${file}")
-  target_include_directories("${name}" PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/Support")
+  target_include_directories("${name}" PRIVATE
+    "${CMAKE_CURRENT_SOURCE_DIR}/Support" "${CMAKE_CURRENT_SOURCE_DIR}/Benchmarks")
   target_link_libraries("${name}" PRIVATE ${ARGN} GTest::gtest_main)
   hashedoctree_own_code("${name}")
   add_test(NAME "${name}" COMMAND "${name}")
