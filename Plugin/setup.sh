@@ -23,7 +23,7 @@ excluded= # a package that must not be there
 vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib g++ cmake ninja-build)
 options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
 sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo BUILD_TESTING:BOOL=ON
-  'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O1 -g1 -fno-var-tracking' # compiles in half the time
+  'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-Og -g1' # compiles in half the time
   HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:BOOL=OFF)
 fuzz_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo 'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O2 -g1'
   CMAKE_CXX_COMPILER:FILEPATH=/usr/bin/clang++ HASHEDOCTREE_HOST:STRING=NONE HASHEDOCTREE_FUZZ:BOOL=ON)
