@@ -45,7 +45,8 @@ function (hashedoctree_add_python_test name)
   elseif (arg_SERVER)
     string(APPEND name "OnServer")
     list(PREPEND command "$<TARGET_FILE:ParaView::smTestDriver>"
-      --server "$<TARGET_FILE:ParaView::pvserver>" --client)
+      --server "$<TARGET_FILE:ParaView::pvserver>"
+      --client "${CMAKE_CURRENT_SOURCE_DIR}/Python/client_of_localhost.sh")
   elseif (arg_RANKS)
     find_program(MPIEXEC mpiexec REQUIRED) # Debian: openmpi-bin
     set(command "${MPIEXEC}" -n "${arg_RANKS}" "$<TARGET_FILE:ParaView::pvbatch>" --dr --symmetric)

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: HashedOctree contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Runs a client of a server on this machine, whose own name, which the server tells, it may not know.
+#   client_of_localhost.sh --url=cs://<name>:<port> <client> [<argument>...]     as smTestDriver calls it
+set -euo pipefail
+
+port="${1##*:}"
+client="$2"
+shift 2
+exec "$client" "--url=cs://localhost:$port" "$@"
