@@ -12,21 +12,41 @@ namespace hashedoctree
 ClosestFew::ClosestFew(std::size_t wanted, SelectPoints select, bool useVectors)
   : Wanted(wanted)
   , Select(select)
-  , UseVectors(useVectors && wanted <= MostInVectors)
+  , UseVectors(useVectors)
+  , UseRegisters(useVectors && wanted <= MostInRegisters)
 {
+  if (this->UseRegisters)
+  {
+    std::fill_n(this->Kept.Dist2, MostInRegisters, std::numeric_limits<double>::infinity());
+    std::fill_n(this->Kept.Ids, MostInRegisters, nullptr);
+  }
+}
+
+void ClosestFew::Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
+{
+  if (this->UseRegisters)
+  {
+    this->AddInRegisters(dist2, ids, count);
+    return;
+  }
+  const std::uint64_t chosen = this->Select(dist2, count, this->Bound2);
   if (this->UseVectors)
   {
-    std::fill_n(this->Dist2, MostInVectors, std::numeric_limits<double>::infinity());
-    std::fill_n(this->Ids, MostInVectors, nullptr);
+    this->Kept.MergeWithVectors(dist2, ids, chosen, this->Wanted);
   }
+  else
+  {
+    this->Kept.Merge(dist2, ids, chosen, this->Wanted);
+  }
+  this->SetBound();
 }
 
 void ClosestFew::CopyTo(std::vector<FoundPoint>& found) const
 {
-  found.resize(std::min(this->Size, this->Wanted));
+  found.resize(std::min(this->Kept.Size, this->Wanted));
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    found[i] = { this->Dist2[i], *this->Ids[i] };
+    found[i] = { this->Kept.Dist2[i], *this->Kept.Ids[i] };
   }
 }
 
@@ -114,28 +134,32 @@ bool ClosestFew::HasVectors()
   return hasVectors;
 }
 
-HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddWithVectors(
+HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddInRegisters(
   const double* dist2, const PointIndex* ids, std::size_t count)
 {
-  const double limit = this->Size < this->Wanted ? GetBoundOfEight(dist2, count) : this->Bound2;
+  const double limit =
+    this->Kept.Size < this->Wanted ? GetBoundOfEight(dist2, count) : this->Bound2;
   Row row;
-  row.Load(this->Dist2, this->Ids);
+  row.Load(this->Kept.Dist2, this->Kept.Ids);
   for (std::uint64_t places = this->Select(dist2, count, limit); places != 0; places &= places - 1)
   {
     const auto place = static_cast<unsigned>(__builtin_ctzll(places));
     const __m256d here = _mm256_broadcast_sd(dist2 + place);
     if (row.Holds(here))
     {
-      row.Store(this->Dist2, this->Ids);
-      this->Insert(dist2[place], ids + place, MostInVectors);
-      row.Load(this->Dist2, this->Ids);
-      continue;
+      row.Store(this->Kept.Dist2, this->Kept.Ids);
+      this->Kept.MergeWithVectors(dist2, ids, places, MostInRegisters);
+      std::fill(this->Kept.Dist2 + this->Kept.Size, this->Kept.Dist2 + MostInRegisters,
+        std::numeric_limits<double>::infinity());
+      std::fill(this->Kept.Ids + this->Kept.Size, this->Kept.Ids + MostInRegisters, nullptr);
+      this->SetBound();
+      return;
     }
     const auto id = reinterpret_cast<std::intptr_t>(ids + place);
     row.Insert(here, _mm256_castsi256_pd(_mm256_set1_epi64x(id)));
-    this->Size += this->Size < MostInVectors ? 1 : 0;
+    this->Kept.Size += this->Kept.Size < MostInRegisters ? 1 : 0;
   }
-  row.Store(this->Dist2, this->Ids);
+  row.Store(this->Kept.Dist2, this->Kept.Ids);
   this->SetBound();
 }
 #else
@@ -144,6 +168,6 @@ bool ClosestFew::HasVectors()
   return false;
 }
 
-void ClosestFew::AddWithVectors(const double*, const PointIndex*, std::size_t) {}
+void ClosestFew::AddInRegisters(const double*, const PointIndex*, std::size_t) {}
 #endif
 }

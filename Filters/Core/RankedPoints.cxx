@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RankedPoints.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace hashedoctree
+{
+namespace
+{
+// Always inlined, so that each caller compiles them for its own machine.
+#define HASHEDOCTREE_INLINE __attribute__((always_inline)) inline
+
+/** So many of a kind, in vector registers where the machine has them. */
+template <typename T, std::size_t Number>
+using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
+
+using Key = std::int32_t;
+constexpr std::size_t Width = 8;
+
+template <typename Vector, typename T>
+HASHEDOCTREE_INLINE void Load(Vector& vector, const T* from)
+{
+  std::memcpy(&vector, from, sizeof(vector));
+}
+template <typename Vector, typename T>
+HASHEDOCTREE_INLINE void Store(const Vector& vector, T* to)
+{
+  std::memcpy(to, &vector, sizeof(vector));
+}
+
+/** The upper half of a distance, which is not negative. */
+HASHEDOCTREE_INLINE Key GetKey(double dist2)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &dist2, sizeof(bits));
+  return static_cast<Key>(bits >> 32);
+}
+
+enum class Before
+{
+  Less,
+  NotGreater
+};
+
+/** Adds to the rank of each key the number of the others that are before it. Works on two vectors
+ * at a time, also beyond the last key. */
+template <Before Which>
+HASHEDOCTREE_INLINE void AddToRanks(std::int32_t* ranks, const Key* keys, std::size_t count,
+  const Key* others, std::size_t numberOfOthers)
+{
+  using Vector = Lanes<Key, Width>;
+  for (std::size_t i = 0; i < count; i += 2 * Width)
+  {
+    Vector a, b, rankOfA, rankOfB;
+    Load(a, keys + i);
+    Load(b, keys + i + Width);
+    Load(rankOfA, ranks + i);
+    Load(rankOfB, ranks + i + Width);
+    for (std::size_t j = 0; j < numberOfOthers; ++j)
+    {
+      const Vector other = Vector{} + others[j];
+      // What is true is -1 in all lanes.
+      rankOfA -= Which == Before::Less ? other < a : other <= a;
+      rankOfB -= Which == Before::Less ? other < b : other <= b;
+    }
+    Store(rankOfA, ranks + i);
+    Store(rankOfB, ranks + i + Width);
+  }
+}
+
+/** Whether each of the distances is less than the next one. Writes beyond the last. */
+HASHEDOCTREE_INLINE bool IsInOrder(double* dist2, std::size_t count)
+{
+  constexpr std::size_t width = 4;
+  std::fill_n(dist2 + count, width, std::numeric_limits<double>::quiet_NaN());
+  Lanes<std::int64_t, width> isNotLess{};
+  for (std::size_t i = 0; i + 1 < count; i += width)
+  {
+    Lanes<double, width> here, next;
+    Load(here, dist2 + i);
+    Load(next, dist2 + i + 1);
+    isNotLess |= here >= next;
+  }
+  return (isNotLess[0] | isNotLess[1] | isNotLess[2] | isNotLess[3]) == 0;
+}
+
+/** Sorts what is nearly in order. */
+void PutInOrder(double* dist2, const PointIndex** ids, std::size_t count)
+{
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    for (std::size_t j = i;
+         j > 0 && (dist2[j] < dist2[j - 1] || (dist2[j] == dist2[j - 1] && *ids[j] < *ids[j - 1]));
+         --j)
+    {
+      std::swap(dist2[j], dist2[j - 1]);
+      std::swap(ids[j], ids[j - 1]);
+    }
+  }
+}
+}
+
+/** The chosen points of a leaf, with their ranks. */
+class RankedPoints::Newcomers
+{
+public:
+  HASHEDOCTREE_INLINE Newcomers(const double* dist2, std::uint64_t chosen)
+  {
+    for (; chosen != 0; chosen &= chosen - 1)
+    {
+      this->Places[this->Count] = static_cast<std::uint8_t>(__builtin_ctzll(chosen));
+      this->Keys[this->Count] = GetKey(dist2[this->Places[this->Count]]);
+      ++this->Count;
+    }
+    std::fill_n(this->Keys + this->Count, Padding, 0);
+  }
+
+  /** Among themselves. */
+  HASHEDOCTREE_INLINE void Rank()
+  {
+    for (std::size_t i = 0; i < this->Count; i += Padding)
+    {
+      std::fill_n(this->Ranks + i, Padding, -1); // None is before itself.
+    }
+    AddToRanks<Before::NotGreater>(this->Ranks, this->Keys, this->Count, this->Keys, this->Count);
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      sum += static_cast<std::size_t>(this->Ranks[i]);
+    }
+    if (sum != this->Count * (this->Count - 1) / 2)
+    {
+      this->PartEqualOnes();
+    }
+  }
+
+  std::size_t Count = 0;
+  Key Keys[MostPoints + Padding];
+  std::uint8_t Places[MostPoints]; ///< In the leaf.
+  std::int32_t Ranks[MostPoints + Padding];
+
+private:
+  /** Equal keys have all been given the last of their ranks. */
+  void PartEqualOnes()
+  {
+    std::uint64_t taken = 0;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      while ((taken >> this->Ranks[i] & 1U) != 0)
+      {
+        --this->Ranks[i];
+      }
+      taken |= std::uint64_t(1) << this->Ranks[i];
+    }
+  }
+};
+
+HASHEDOCTREE_INLINE void RankedPoints::MergeInline(
+  const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
+{
+  Newcomers added(dist2, chosen);
+  added.Rank();
+
+  const bool isFirst = this->Dist2 == this->Dist2Lists[0];
+  double* mergedDist2 = this->Dist2Lists[isFirst ? 1 : 0];
+  const PointIndex** mergedIds = this->IdLists[isFirst ? 1 : 0];
+  if (this->Size > 0)
+  {
+    Key keys[MostPoints + Padding];
+    std::int32_t ranks[MostPoints + Padding];
+    for (std::size_t i = 0; i < this->Size; ++i)
+    {
+      keys[i] = GetKey(this->Dist2[i]);
+    }
+    std::fill_n(keys + this->Size, Padding, 0);
+    for (std::size_t i = 0; i < MostPoints + Padding; ++i)
+    {
+      ranks[i] = static_cast<std::int32_t>(i);
+    }
+    AddToRanks<Before::NotGreater>(added.Ranks, added.Keys, added.Count, keys, this->Size);
+    AddToRanks<Before::Less>(ranks, keys, this->Size, added.Keys, added.Count);
+    for (std::size_t i = 0; i < this->Size; ++i)
+    {
+      mergedDist2[ranks[i]] = this->Dist2[i];
+      mergedIds[ranks[i]] = this->Ids[i];
+    }
+  }
+  for (std::size_t i = 0; i < added.Count; ++i)
+  {
+    mergedDist2[added.Ranks[i]] = dist2[added.Places[i]];
+    mergedIds[added.Ranks[i]] = ids + added.Places[i];
+  }
+  const std::size_t count = this->Size + added.Count;
+  if (!IsInOrder(mergedDist2, count))
+  {
+    PutInOrder(mergedDist2, mergedIds, count);
+  }
+  this->Dist2 = mergedDist2;
+  this->Ids = mergedIds;
+  this->Size = std::min(count, most);
+}
+
+void RankedPoints::Merge(
+  const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
+{
+  this->MergeInline(dist2, ids, chosen, most);
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2")))
+#endif
+void RankedPoints::MergeWithVectors(
+  const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
+{
+  this->MergeInline(dist2, ids, chosen, most);
+}
+}
