@@ -58,6 +58,11 @@ public:
   template <typename ToId>
   void CopyTo(vtkIdList* list, const ToId& toId) const
   {
+    if (this->Values.empty())
+    {
+      list->Reset(); // Which is inlined.
+      return;
+    }
     list->SetNumberOfIds(static_cast<vtkIdType>(this->Values.size()));
     std::transform(this->Values.begin(), this->Values.end(), list->GetPointer(0),
       [&toId](const T& value) { return static_cast<vtkIdType>(toId(value)); });
