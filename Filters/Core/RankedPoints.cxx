@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 namespace hashedoctree
 {
@@ -16,8 +17,11 @@ namespace
 template <typename T, std::size_t Number>
 using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
 
-using Key = std::int32_t;
-constexpr std::size_t Width = 8;
+/** What distances are compared by: all of a distance, or its upper half; and ranks as wide. */
+using Whole = double;
+using UpperHalf = std::int32_t;
+template <typename Key>
+using RankOf = std::conditional_t<sizeof(Key) == 4, std::int32_t, std::int64_t>;
 
 template <typename Vector, typename T>
 HASHEDOCTREE_INLINE void Load(Vector& vector, const T* from)
@@ -30,12 +34,19 @@ HASHEDOCTREE_INLINE void Store(const Vector& vector, T* to)
   std::memcpy(to, &vector, sizeof(vector));
 }
 
-/** The upper half of a distance, which is not negative. */
+template <typename Key>
 HASHEDOCTREE_INLINE Key GetKey(double dist2)
 {
-  std::uint64_t bits;
-  std::memcpy(&bits, &dist2, sizeof(bits));
-  return static_cast<Key>(bits >> 32);
+  if constexpr (std::is_same_v<Key, Whole>)
+  {
+    return dist2;
+  }
+  else
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &dist2, sizeof(bits));
+    return static_cast<Key>(bits >> 32);
+  }
 }
 
 enum class Before
@@ -46,27 +57,30 @@ enum class Before
 
 /** Adds to the rank of each key the number of the others that are before it. Works on two vectors
  * at a time, also beyond the last key. */
-template <Before Which>
-HASHEDOCTREE_INLINE void AddToRanks(std::int32_t* ranks, const Key* keys, std::size_t count,
+template <Before Which, typename Key>
+HASHEDOCTREE_INLINE void AddToRanks(RankOf<Key>* ranks, const Key* keys, std::size_t count,
   const Key* others, std::size_t numberOfOthers)
 {
-  using Vector = Lanes<Key, Width>;
-  for (std::size_t i = 0; i < count; i += 2 * Width)
+  constexpr std::size_t width = 32 / sizeof(Key);
+  using Keys = Lanes<Key, width>;
+  using Ranks = Lanes<RankOf<Key>, width>;
+  for (std::size_t i = 0; i < count; i += 2 * width)
   {
-    Vector a, b, rankOfA, rankOfB;
+    Keys a, b;
+    Ranks rankOfA, rankOfB;
     Load(a, keys + i);
-    Load(b, keys + i + Width);
+    Load(b, keys + i + width);
     Load(rankOfA, ranks + i);
-    Load(rankOfB, ranks + i + Width);
+    Load(rankOfB, ranks + i + width);
     for (std::size_t j = 0; j < numberOfOthers; ++j)
     {
-      const Vector other = Vector{} + others[j];
+      const Keys other = Keys{} + others[j];
       // What is true is -1 in all lanes.
       rankOfA -= Which == Before::Less ? other < a : other <= a;
       rankOfB -= Which == Before::Less ? other < b : other <= b;
     }
     Store(rankOfA, ranks + i);
-    Store(rankOfB, ranks + i + Width);
+    Store(rankOfB, ranks + i + width);
   }
 }
 
@@ -103,6 +117,7 @@ void PutInOrder(double* dist2, const PointIndex** ids, std::size_t count)
 }
 
 /** The chosen points of a leaf, with their ranks. */
+template <typename Key>
 class RankedPoints::Newcomers
 {
 public:
@@ -111,38 +126,28 @@ public:
     for (; chosen != 0; chosen &= chosen - 1)
     {
       this->Places[this->Count] = static_cast<std::uint8_t>(__builtin_ctzll(chosen));
-      this->Keys[this->Count] = GetKey(dist2[this->Places[this->Count]]);
+      this->Keys[this->Count] = GetKey<Key>(dist2[this->Places[this->Count]]);
       ++this->Count;
     }
-    std::fill_n(this->Keys + this->Count, Padding, 0);
-  }
-
-  /** Among themselves. */
-  HASHEDOCTREE_INLINE void Rank()
-  {
+    std::fill_n(this->Keys + this->Count, Padding, Key(0));
     for (std::size_t i = 0; i < this->Count; i += Padding)
     {
       std::fill_n(this->Ranks + i, Padding, -1); // None is before itself.
     }
     AddToRanks<Before::NotGreater>(this->Ranks, this->Keys, this->Count, this->Keys, this->Count);
+  }
+
+  /** Whether any two keys are equal. Such ones have all been given the last of their ranks. */
+  HASHEDOCTREE_INLINE bool HasEqualOnes() const
+  {
     std::size_t sum = 0;
     for (std::size_t i = 0; i < this->Count; ++i)
     {
       sum += static_cast<std::size_t>(this->Ranks[i]);
     }
-    if (sum != this->Count * (this->Count - 1) / 2)
-    {
-      this->PartEqualOnes();
-    }
+    return sum != this->Count * (this->Count - 1) / 2;
   }
-
-  std::size_t Count = 0;
-  Key Keys[MostPoints + Padding];
-  std::uint8_t Places[MostPoints]; ///< In the leaf.
-  std::int32_t Ranks[MostPoints + Padding];
-
-private:
-  /** Equal keys have all been given the last of their ranks. */
+  /** Gives equal keys different ranks. */
   void PartEqualOnes()
   {
     std::uint64_t taken = 0;
@@ -155,29 +160,32 @@ private:
       taken |= std::uint64_t(1) << this->Ranks[i];
     }
   }
+
+  std::size_t Count = 0;
+  Key Keys[MostPoints + Padding];
+  std::uint8_t Places[MostPoints];         ///< In the leaf.
+  RankOf<Key> Ranks[MostPoints + Padding]; ///< Among themselves.
 };
 
-HASHEDOCTREE_INLINE void RankedPoints::MergeInline(
-  const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
+template <typename Key>
+HASHEDOCTREE_INLINE void RankedPoints::MergeRanked(
+  Newcomers<Key>& added, const double* dist2, const PointIndex* ids, std::size_t most)
 {
-  Newcomers added(dist2, chosen);
-  added.Rank();
-
   const bool isFirst = this->Dist2 == this->Dist2Lists[0];
   double* mergedDist2 = this->Dist2Lists[isFirst ? 1 : 0];
   const PointIndex** mergedIds = this->IdLists[isFirst ? 1 : 0];
   if (this->Size > 0)
   {
     Key keys[MostPoints + Padding];
-    std::int32_t ranks[MostPoints + Padding];
+    RankOf<Key> ranks[MostPoints + Padding];
     for (std::size_t i = 0; i < this->Size; ++i)
     {
-      keys[i] = GetKey(this->Dist2[i]);
+      keys[i] = GetKey<Key>(this->Dist2[i]);
     }
-    std::fill_n(keys + this->Size, Padding, 0);
+    std::fill_n(keys + this->Size, Padding, Key(0));
     for (std::size_t i = 0; i < MostPoints + Padding; ++i)
     {
-      ranks[i] = static_cast<std::int32_t>(i);
+      ranks[i] = static_cast<RankOf<Key>>(i);
     }
     AddToRanks<Before::NotGreater>(added.Ranks, added.Keys, added.Count, keys, this->Size);
     AddToRanks<Before::Less>(ranks, keys, this->Size, added.Keys, added.Count);
@@ -200,6 +208,24 @@ HASHEDOCTREE_INLINE void RankedPoints::MergeInline(
   this->Dist2 = mergedDist2;
   this->Ids = mergedIds;
   this->Size = std::min(count, most);
+}
+
+HASHEDOCTREE_INLINE void RankedPoints::MergeInline(
+  const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
+{
+  Newcomers<UpperHalf> added(dist2, chosen);
+  if (!added.HasEqualOnes())
+  {
+    this->MergeRanked(added, dist2, ids, most);
+    return;
+  }
+  // As from far away, where the distances to all points are nearly the same.
+  Newcomers<Whole> whole(dist2, chosen);
+  if (whole.HasEqualOnes())
+  {
+    whole.PartEqualOnes();
+  }
+  this->MergeRanked(whole, dist2, ids, most);
 }
 
 void RankedPoints::Merge(

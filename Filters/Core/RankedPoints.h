@@ -15,8 +15,9 @@ namespace hashedoctree
  * which is counted without a branch whose way is hard to foresee. Private to ClosestFew.
  *
  * What is counted are the upper halves of the distances, eight at a time where the machine has
- * AVX2. As whole numbers they are in the order of the distances, since none of these is negative;
- * where two of them are equal, which is rare but where distances are, the result is sorted.
+ * AVX2. As whole numbers they are in the order of the distances, since none of these is negative.
+ * Where two of a leaf are equal, all of the distances is compared; what is still not in order is
+ * sorted.
  */
 class RankedPoints
 {
@@ -39,9 +40,13 @@ public:
   const PointIndex** Ids = IdLists[0]; ///< Far away in memory, and looked at as late as can be.
 
 private:
+  template <typename Key>
   class Newcomers;
   static constexpr std::size_t Padding = 16; ///< Vectors read and write beyond the last.
 
+  template <typename Key>
+  void MergeRanked(
+    Newcomers<Key>& added, const double* dist2, const PointIndex* ids, std::size_t most);
   void MergeInline(
     const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most);
 
