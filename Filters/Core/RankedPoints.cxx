@@ -153,11 +153,13 @@ public:
     std::uint64_t taken = 0;
     for (std::size_t i = 0; i < this->Count; ++i)
     {
-      while ((taken >> this->Ranks[i] & 1U) != 0)
+      RankOf<Key> rank = this->Ranks[i];
+      while ((taken >> rank & 1U) != 0)
       {
-        --this->Ranks[i];
+        --rank;
       }
-      taken |= std::uint64_t(1) << this->Ranks[i];
+      taken |= std::uint64_t(1) << rank;
+      this->Ranks[i] = rank;
     }
   }
 
