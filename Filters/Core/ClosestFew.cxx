@@ -13,9 +13,8 @@ ClosestFew::ClosestFew(std::size_t wanted, SelectPoints select, bool useVectors)
   : Wanted(wanted)
   , Select(select)
   , UseVectors(useVectors)
-  , UseRegisters(useVectors && wanted <= MostInRegisters)
 {
-  if (this->UseRegisters)
+  if (this->UsesRegisters())
   {
     std::fill_n(this->Kept.Dist2, MostInRegisters, std::numeric_limits<double>::infinity());
     std::fill_n(this->Kept.Ids, MostInRegisters, nullptr);
@@ -24,7 +23,7 @@ ClosestFew::ClosestFew(std::size_t wanted, SelectPoints select, bool useVectors)
 
 void ClosestFew::Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
 {
-  if (this->UseRegisters)
+  if (this->UsesRegisters())
   {
     this->AddInRegisters(dist2, ids, count);
     return;

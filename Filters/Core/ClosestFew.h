@@ -41,6 +41,7 @@ public:
   void CopyTo(std::vector<FoundPoint>& found) const;
 
 private:
+  bool UsesRegisters() const { return this->UseVectors && this->Wanted <= MostInRegisters; }
   void AddInRegisters(const double* dist2, const PointIndex* ids, std::size_t count);
   void SetBound()
   {
@@ -53,7 +54,6 @@ private:
   std::size_t Wanted;
   SelectPoints Select;
   bool UseVectors;
-  bool UseRegisters;
   double Bound2 = std::numeric_limits<double>::infinity();
   RankedPoints Kept; ///< In registers up to MostInRegisters, also where fewer are wanted.
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistanceKernels.h"
 
+#include "Lanes.h"
+
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,13 +16,6 @@ namespace hashedoctree
 {
 namespace
 {
-// Always inlined, so that each caller compiles them for its own machine.
-#define HASHEDOCTREE_INLINE __attribute__((always_inline)) inline
-
-/** So many of a kind, in vector registers where the machine has them. */
-template <typename T, std::size_t Number>
-using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
-
 /** One number for each octant. */
 template <int Dim>
 using OfOctants = Lanes<float, MortonKey<Dim>::NumberOfOctants>;

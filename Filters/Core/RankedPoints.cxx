@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankedPoints.h"
 
+#include "Lanes.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -10,13 +12,6 @@ namespace hashedoctree
 {
 namespace
 {
-// Always inlined, so that each caller compiles them for its own machine.
-#define HASHEDOCTREE_INLINE __attribute__((always_inline)) inline
-
-/** So many of a kind, in vector registers where the machine has them. */
-template <typename T, std::size_t Number>
-using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
-
 /** What distances are compared by: all of a distance, or its upper half; and ranks as wide. */
 using Whole = double;
 using UpperHalf = std::int32_t;
@@ -223,10 +218,7 @@ HASHEDOCTREE_INLINE void RankedPoints::MergeInline(
   }
   // As from far away, where the distances to all points are nearly the same.
   Newcomers<Whole> whole(dist2, chosen);
-  if (whole.HasEqualOnes())
-  {
-    whole.PartEqualOnes();
-  }
+  whole.PartEqualOnes();
   this->MergeRanked(whole, dist2, ids, most);
 }
 

@@ -28,7 +28,7 @@ public:
   RankedPoints(const RankedPoints&) = delete;
   void operator=(const RankedPoints&) = delete;
 
-  /** Puts in their places those points of a leaf whose bits are set in `chosen`, at least one, and
+  /** Puts in their places those points of a leaf whose bits are set in `chosen`, and
    * keeps the first `most`. `ids` must stay as they are. */
   void Merge(const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most);
   /** The same by AVX2, which the machine must have. */
