@@ -81,15 +81,15 @@ private:
       {
         for (std::size_t i = first; i < last; ++i)
         {
-          coded[i].Key = grid.GetKey(GetPosition<Dim>(positions, this->First + i));
-          coded[i].Id = static_cast<PointIndex>(i);
+          coded[i] = CodedPoint<Dim>(
+            grid.GetKey(GetPosition<Dim>(positions, this->First + i)), static_cast<PointIndex>(i));
         }
       });
     SortAlongMortonCurve(coded, PositionsPerCell, Key::MaxDepth, execution.Part(0.3, 1.0));
     this->Places = Buffer<PointIndex>(this->Count);
     for (std::size_t i = 0; i < this->Count; ++i)
     {
-      this->Places[i] = coded[i].Id;
+      this->Places[i] = coded[i].GetId();
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosestFew.h"
 
+#include "Lanes.h"
+
 #include <algorithm>
 
 #if defined(__x86_64__)
@@ -9,6 +11,11 @@
 
 namespace hashedoctree
 {
+bool ClosestFew::HasVectors()
+{
+  return HasAvx2();
+}
+
 ClosestFew::ClosestFew(std::size_t wanted, SelectPoints select, bool useVectors)
   : Wanted(wanted)
   , Select(select)
@@ -52,8 +59,6 @@ void ClosestFew::CopyTo(std::vector<FoundPoint>& found) const
 #if defined(__x86_64__)
 namespace
 {
-#define HASHEDOCTREE_WITH_AVX2 __attribute__((target("avx2")))
-
 /** No less than the eighth of the distances, infinity where there are fewer: the greatest of the
  * least of eight parts. Behind the last stands infinity until their number is a multiple of 4. */
 HASHEDOCTREE_WITH_AVX2 double GetBoundOfEight(const double* dist2, std::size_t count)
@@ -127,12 +132,6 @@ struct Row
 };
 }
 
-bool ClosestFew::HasVectors()
-{
-  static const bool hasVectors = __builtin_cpu_supports("avx2") != 0;
-  return hasVectors;
-}
-
 HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddInRegisters(
   const double* dist2, const PointIndex* ids, std::size_t count)
 {
@@ -162,11 +161,6 @@ HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddInRegisters(
   this->SetBound();
 }
 #else
-bool ClosestFew::HasVectors()
-{
-  return false;
-}
-
 void ClosestFew::AddInRegisters(const double*, const PointIndex*, std::size_t) {}
 #endif
 }

@@ -9,7 +9,6 @@
 
 #if defined(__x86_64__)
 #include <immintrin.h>
-#define HASHEDOCTREE_AVX2
 #endif
 
 namespace hashedoctree
@@ -103,12 +102,12 @@ struct Plain
   }
 };
 
-#ifdef HASHEDOCTREE_AVX2
+#if defined(__x86_64__)
 template <int Dim, typename Real>
 struct Avx2
 {
   // Not left to the compiler: GCC 12 converts floats in halves, and loads x anew for all four.
-  __attribute__((target("avx2"))) static double ToPoints(
+  HASHEDOCTREE_WITH_AVX2 static double ToPoints(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
     const __m256d infinity = _mm256_set1_pd(std::numeric_limits<double>::infinity());
@@ -135,7 +134,7 @@ struct Avx2
     const __m128d half = _mm_min_pd(_mm256_castpd256_pd128(least), _mm256_extractf128_pd(least, 1));
     return _mm_cvtsd_f64(_mm_min_sd(half, _mm_unpackhi_pd(half, half)));
   }
-  __attribute__((target("avx2"))) static std::uint64_t Select(
+  HASHEDOCTREE_WITH_AVX2 static std::uint64_t Select(
     const double* dist2, std::size_t count, double limit)
   {
     const __m256d limits = _mm256_set1_pd(limit);
@@ -149,16 +148,16 @@ struct Avx2
   }
 
 private:
-  __attribute__((target("avx2"), always_inline)) static inline __m256d Load(const float* x)
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static __m256d Load(const float* x)
   {
     return _mm256_cvtps_pd(_mm_loadu_ps(x));
   }
-  __attribute__((target("avx2"), always_inline)) static inline __m256d Load(const double* x)
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static __m256d Load(const double* x)
   {
     return _mm256_loadu_pd(x);
   }
   /** Squared distances to four points. */
-  __attribute__((target("avx2"), always_inline)) static inline __m256d Sum(
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static __m256d Sum(
     const Real* coordinates, std::size_t stride, const __m256d* center)
   {
     __m256d sum = _mm256_setzero_pd();
@@ -174,7 +173,7 @@ private:
 /** In three dimensions, where the octants fill a vector. */
 struct Avx2Boxes
 {
-  __attribute__((target("avx2"))) static unsigned ToBoxes(
+  HASHEDOCTREE_WITH_AVX2 static unsigned ToBoxes(
     const ChildBoxes<3>& boxes, const double* steps, float limit, float* dist2)
   {
     OfOctants<3> lower[3];
@@ -200,8 +199,8 @@ constexpr DistanceKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints
 template <int Dim, typename Real>
 DistanceKernels<Dim, Real> ChooseKernels()
 {
-#ifdef HASHEDOCTREE_AVX2
-  if (__builtin_cpu_supports("avx2"))
+#if defined(__x86_64__)
+  if (HasAvx2())
   {
     DistanceKernels<Dim, Real> kernels = PlainKernels<Dim, Real>;
     kernels.ToPoints = Avx2<Dim, Real>::ToPoints;

@@ -7,12 +7,30 @@
 // Always inlined, so that each caller compiles it for its own machine.
 #define HASHEDOCTREE_INLINE __attribute__((always_inline)) inline
 
+// Compiled for machines with AVX2, and not to be called on others; elsewhere for the plain machine.
+#if defined(__x86_64__)
+#define HASHEDOCTREE_WITH_AVX2 __attribute__((target("avx2")))
+#else
+#define HASHEDOCTREE_WITH_AVX2
+#endif
+
 namespace hashedoctree
 {
 /** So many of a kind, in vector registers where the machine has them. Private to sources that are
  * compiled for several machines. */
 template <typename T, std::size_t Number>
 using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
+
+/** Whether the machine has AVX2. */
+inline bool HasAvx2()
+{
+#if defined(__x86_64__)
+  static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+  return hasAvx2;
+#else
+  return false;
+#endif
+}
 }
 
 #endif

@@ -1,44 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MortonCodes.h"
 
+#include "GridCells.h"
 #include "PlaneSpan.h"
 
 namespace hashedoctree
 {
+namespace
+{
+constexpr std::size_t BlockSize = 128; // Cells and keys of a block stay in the first cache.
+
+template <int Dim, typename Real>
+void GetCellsOf(const Grid<Dim>& grid, PointSpan<Dim, Real> points, std::size_t first,
+  std::size_t count, Cell<Dim>* cells)
+{
+  GetCells<Dim>(grid, points[first], count, cells);
+}
+
+template <int Dim, typename Real>
+void GetCellsOf(const Grid<Dim>& grid, PlaneSpan<Real> points, std::size_t first, std::size_t count,
+  Cell<Dim>* cells)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    cells[i] = grid.GetCell(points[first + i]);
+  }
+}
+}
+
 template <int Dim, typename Points>
 Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& selection,
   const Grid<Dim>& grid, const Execution& execution)
 {
-  constexpr std::size_t blockSize = 128; // Cells and keys of a block stay in the first cache.
   Buffer<CodedPoint<Dim>> coded(selection.GetNumberOfPoints());
-
   execution.ForChunks(points.Count, PointSelection<Dim>::ChunkSize,
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       const bool keepsAll = selection.KeepsAll();
-      std::array<Cell<Dim>, blockSize> cells;
-      std::array<MortonKey<Dim>, blockSize> keys;
+      std::array<Cell<Dim>, BlockSize> cells;
+      std::array<MortonKey<Dim>, BlockSize> keys;
       std::size_t next = selection.GetFirstOfChunk(chunk);
-      for (std::size_t block = first; block < last; block += blockSize)
+      for (std::size_t block = first; block < last; block += BlockSize)
       {
-        const std::size_t end = std::min(last, block + blockSize);
-        std::size_t kept = 0;
-        for (std::size_t i = block; i < end; ++i)
+        const std::size_t count = std::min(last - block, BlockSize);
+        // Cells of points that do not take part have no meaning, but are cells.
+        GetCellsOf<Dim>(grid, points, block, count, cells.data());
+        InterleaveCells<Dim>(cells.data(), count, keys.data());
+        for (std::size_t i = 0; i < count; ++i)
         {
-          const auto x = points[i];
-          if (keepsAll || selection.Keeps(x))
+          if (keepsAll || selection.Keeps(points[block + i]))
           {
-            coded[next + kept].Id = static_cast<PointIndex>(i);
-            cells[kept] = grid.GetCell(x);
-            ++kept;
+            coded[next] = CodedPoint<Dim>(keys[i], static_cast<PointIndex>(block + i));
+            ++next;
           }
         }
-        InterleaveCells<Dim>(cells.data(), kept, keys.data());
-        for (std::size_t i = 0; i < kept; ++i)
-        {
-          coded[next + i].Key = keys[i];
-        }
-        next += kept;
       }
     });
   return coded;

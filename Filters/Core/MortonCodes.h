@@ -5,13 +5,38 @@
 #include "Buffer.h"
 #include "PointSelection.h"
 
+#include <array>
+#include <cstdint>
+#include <cstring>
+
 namespace hashedoctree
 {
-/** A point of a data set by its id, and its key at MaxDepth. */
+/** A point of a data set by its id, and its key at MaxDepth. Sorting moves all of them several
+ * times, so nothing is between one and the next: where an id has 32 bits, the key is aligned as it.
+ */
 template <int Dim>
-struct CodedPoint
+class CodedPoint
 {
-  MortonKey<Dim> Key;
+public:
+  /** A variable without initialiser holds nothing yet, as with MortonKey. */
+  CodedPoint() = default;
+  CodedPoint(MortonKey<Dim> key, PointIndex id)
+    : Id(id)
+  {
+    const std::uint64_t value = key.GetValue();
+    std::memcpy(this->KeyHalves.data(), &value, sizeof(value));
+  }
+
+  MortonKey<Dim> GetKey() const
+  {
+    std::uint64_t value = 0;
+    std::memcpy(&value, this->KeyHalves.data(), sizeof(value));
+    return MortonKey<Dim>(value);
+  }
+  PointIndex GetId() const { return this->Id; }
+
+private:
+  std::array<std::uint32_t, 2> KeyHalves;
   PointIndex Id;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -39,7 +40,7 @@ public:
   std::size_t GetCount() const { return this->Count; }
   std::size_t Of(const CodedPoint<Dim>& point) const
   {
-    return point.Key.GetValue() >> this->Shift & (this->Count - 1);
+    return point.GetKey().GetValue() >> this->Shift & (this->Count - 1);
   }
 
 private:
@@ -52,9 +53,9 @@ class Sorter
 {
 public:
   Sorter(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf, int maxDepth,
-    const Execution& execution)
+    const Execution& execution, SpareMemory spare)
     : Points(points)
-    , Scratch(points.GetSize())
+    , Scratch(FindRoom(points.GetSize(), spare, this->OwnScratch))
     , MaxPointsPerLeaf(maxPointsPerLeaf)
     , MaxDepth(maxDepth)
     , Threads(execution)
@@ -63,7 +64,7 @@ public:
 
   void Sort()
   {
-    TouchPages(this->Scratch, this->Threads);
+    TouchPages(this->Scratch, this->Points.GetSize(), this->Threads);
     const std::size_t limit = std::max(SerialLimit, this->Points.GetSize() / SerialShare);
     std::vector<Range> large{ Range{ 0, this->Points.GetSize(), 0, false } };
     std::vector<Range> small;
@@ -101,26 +102,26 @@ private:
   }
 
   /** How many depths to part the points of a node by at once: as many as would make leaves of
-   * points that are spread evenly. */
-  int GetDepths(std::size_t count, int depth) const
+   * points that are spread evenly over 2^branching children at each depth. */
+  int GetDepths(std::size_t count, int depth, double branching) const
   {
     const int most = std::min(Digit<Dim>::MostDepths, this->MaxDepth - depth);
     int depths = 1;
-    while (depths < most && count >> (Dim * depths) > this->MaxPointsPerLeaf)
+    while (depths < most && count >> static_cast<int>(branching * depths) > this->MaxPointsPerLeaf)
     {
       ++depths;
     }
     return depths;
   }
 
-  Point* Data(bool scratch) { return (scratch ? this->Scratch : this->Points).GetData(); }
+  Point* Data(bool scratch) { return scratch ? this->Scratch : this->Points.GetData(); }
 
   /** Splits a range by one digit, all threads together, and appends what has to be sorted yet. */
   void Partition(const Range& range, std::vector<Range>& rest)
   {
     const Point* from = this->Data(range.InScratch) + range.First;
     const std::size_t count = range.Last - range.First;
-    const int depths = this->GetDepths(count, range.Depth);
+    const int depths = this->GetDepths(count, range.Depth, Dim);
     const Digit<Dim> digit(range.Depth, depths);
 
     std::vector<DigitCounts> offsets(Execution::GetNumberOfChunks(count, ChunkSize));
@@ -206,14 +207,16 @@ private:
           const Range& range = ranges[i];
           this->SortOne(this->Data(range.InScratch) + range.First,
             this->Data(!range.InScratch) + range.First, range.Last - range.First, range.Depth,
-            range.InScratch);
+            range.InScratch, Dim);
         }
       });
   }
 
   /** Sorts the points `from` of a node, with `other` as scratch of the same length; the result ends
-   * in `other` when asked for, else in `from`. */
-  void SortOne(Point* from, Point* other, std::size_t count, int depth, bool intoOther) const
+   * in `other` when asked for, else in `from`. `branching` as far as it is known from above: Dim
+   * for points that fill the space, 2 on surfaces, 1 along curves. */
+  void SortOne(
+    Point* from, Point* other, std::size_t count, int depth, bool intoOther, double branching) const
   {
     DigitCounts offsets;
     int depths = 0;
@@ -232,7 +235,7 @@ private:
         }
         return;
       }
-      depths = this->GetDepths(count, depth);
+      depths = this->GetDepths(count, depth, branching);
       const Digit<Dim> digit(depth, depths);
       std::fill_n(offsets.begin(), digit.GetCount(), 0);
       for (std::size_t i = 0; i < count; ++i)
@@ -247,10 +250,13 @@ private:
 
     const Digit<Dim> digit(depth, depths);
     PointIndex sum = 0;
+    std::size_t occupied = 0;
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
+      occupied += offsets[place] != 0 ? 1 : 0;
       sum += std::exchange(offsets[place], sum);
     }
+    const double below = std::max(1.0, std::log2(occupied) / depths);
     for (std::size_t i = 0; i < count; ++i)
     {
       other[offsets[digit.Of(from[i])]++] = from[i];
@@ -261,7 +267,7 @@ private:
       const PointIndex last = offsets[place];
       if (last != first)
       {
-        this->SortOne(other + first, from + first, last - first, depth + depths, !intoOther);
+        this->SortOne(other + first, from + first, last - first, depth + depths, !intoOther, below);
       }
       first = last;
     }
@@ -273,7 +279,7 @@ private:
     {
       const Point point = points[i];
       std::size_t place = i;
-      for (; place > 0 && point.Key < points[place - 1].Key; --place)
+      for (; place > 0 && point.GetKey() < points[place - 1].GetKey(); --place)
       {
         points[place] = points[place - 1];
       }
@@ -281,8 +287,9 @@ private:
     }
   }
 
+  Buffer<Point> OwnScratch; // Before Scratch, which may stand in it.
   Buffer<Point>& Points;
-  Buffer<Point> Scratch;
+  Point* Scratch;
   std::size_t MaxPointsPerLeaf;
   int MaxDepth;
   const Execution& Threads;
@@ -291,13 +298,14 @@ private:
 
 template <int Dim>
 void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
-  int maxDepth, const Execution& execution)
+  int maxDepth, const Execution& execution, SpareMemory spare)
 {
-  Sorter<Dim>(points, maxPointsPerLeaf, maxDepth, execution).Sort();
+  Sorter<Dim>(points, maxPointsPerLeaf, maxDepth, execution, spare).Sort();
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
-  template void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>&, std::size_t, int, const Execution&);
+  template void SortAlongMortonCurve(                                                              \
+    Buffer<CodedPoint<Dim>>&, std::size_t, int, const Execution&, SpareMemory);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)

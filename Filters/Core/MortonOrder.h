@@ -3,6 +3,7 @@
 #define hashedoctree_MortonOrder_h
 
 #include "MortonCodes.h"
+#include "SpareMemory.h"
 
 namespace hashedoctree
 {
@@ -16,12 +17,12 @@ namespace hashedoctree
  *
  * A radix partition from the root downwards, several depths at a time: depths that do not part the
  * points of a node cost one pass of reading, and nodes of a few points are sorted by insertion.
- * O(n) for n points; uses a second array of the same size. Throws Interrupted; the points are then
- * in no particular order.
+ * O(n) for n points; uses a second array of the same size, which is in the spare memory if that is
+ * large enough. Throws Interrupted; the points are then in no particular order.
  */
 template <int Dim>
 void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
-  int maxDepth, const Execution& execution);
+  int maxDepth, const Execution& execution, SpareMemory spare = {});
 }
 
 #endif

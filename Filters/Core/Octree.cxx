@@ -11,7 +11,7 @@ namespace hashedoctree
 template <int Dim>
 template <typename Points>
 Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const Options& options,
-  const Execution& execution)
+  const Execution& execution, SpareMemory spare)
   : BuildOptions(options)
 {
   if (selection.GetNumberOfPoints() == 0)
@@ -21,7 +21,8 @@ Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const O
   this->RootGrid = Grid<Dim>(selection.GetBox());
   Buffer<CodedPoint<Dim>> coded =
     EncodePoints(points, selection, this->RootGrid, execution.Part(0.0, 0.2));
-  SortAlongMortonCurve(coded, options.MaxPointsPerLeaf, options.MaxDepth, execution.Part(0.2, 0.5));
+  SortAlongMortonCurve(
+    coded, options.MaxPointsPerLeaf, options.MaxDepth, execution.Part(0.2, 0.5), spare);
   OctreeBuilder<Dim>(*this, coded).Build(execution.Part(0.5, 1.0));
 }
 
@@ -80,16 +81,16 @@ std::optional<typename Octree<Dim>::Node> Octree<Dim>::FindNode(Key key, EmptyOc
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template class Octree<Dim>;                                                                      \
   template Octree<Dim>::Octree(PointSpan<Dim, float>, const PointSelection<Dim>&,                  \
-    const Octree<Dim>::Options&, const Execution&);                                                \
+    const Octree<Dim>::Options&, const Execution&, SpareMemory);                                   \
   template Octree<Dim>::Octree(PointSpan<Dim, double>, const PointSelection<Dim>&,                 \
-    const Octree<Dim>::Options&, const Execution&);
+    const Octree<Dim>::Options&, const Execution&, SpareMemory);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
-template Octree<2>::Octree(
-  PlaneSpan<float>, const PointSelection<2>&, const Octree<2>::Options&, const Execution&);
-template Octree<2>::Octree(
-  PlaneSpan<double>, const PointSelection<2>&, const Octree<2>::Options&, const Execution&);
+template Octree<2>::Octree(PlaneSpan<float>, const PointSelection<2>&, const Octree<2>::Options&,
+  const Execution&, SpareMemory);
+template Octree<2>::Octree(PlaneSpan<double>, const PointSelection<2>&, const Octree<2>::Options&,
+  const Execution&, SpareMemory);
 }

@@ -6,6 +6,7 @@
 #include "DepthStatistics.h"
 #include "NodeTable.h"
 #include "PointSelection.h"
+#include "SpareMemory.h"
 
 #include <array>
 #include <cstddef>
@@ -112,11 +113,12 @@ public:
    * the selection becomes the root (see Grid). Points are told apart by their cells at
    * MortonKey::MaxDepth only. Instantiated for PointSpans of float and double, in two dimensions
    * for PlaneSpans, too. Throws std::length_error when the tree would have more internal nodes than
-   * 32 bits can number, and Interrupted.
+   * 32 bits can number, and Interrupted. Spare memory of sizeof(CodedPoint) for each point takes
+   * the place of as much that would be used meanwhile.
    */
   template <typename Points>
   Octree(Points points, const PointSelection<Dim>& selection, const Options& options,
-    const Execution& execution);
+    const Execution& execution, SpareMemory spare = {});
 
   const Grid<Dim>& GetGrid() const { return this->RootGrid; }
   /** The options that the tree was built with. */

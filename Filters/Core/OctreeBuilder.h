@@ -86,9 +86,9 @@ private:
     {
       return depths;
     }
-    const Key key = this->Points[i].Key;
-    const Key after = this->Points[i + bucket].Key;
-    const Key before = i == 0 ? Key() : this->Points[i - 1].Key;
+    const Key key = this->Points[i].GetKey();
+    const Key after = this->Points[i + bucket].GetKey();
+    const Key before = i == 0 ? Key() : this->Points[i - 1].GetKey();
     // Says no for most points, at once.
     if ((key.GetValue() ^ after.GetValue()) < (key.GetValue() ^ before.GetValue()))
     {
@@ -109,7 +109,7 @@ private:
         Before here;
         for (std::size_t i = first; i < last; ++i)
         {
-          this->Tree.PointIds[i] = this->Points[i].Id;
+          this->Tree.PointIds[i] = this->Points[i].GetId();
           const DepthRange depths = this->GetInternalNodesAt(i);
           for (int depth = depths.First; depth <= depths.Last; ++depth)
           {
@@ -157,21 +157,24 @@ private:
   {
     PerDepth next = before.Nodes;
     int deepest = this->GetDeepestBefore(before, first);
+    std::uint64_t keysOfLeaf = CountKeysBelow(deepest);
     for (std::size_t i = first; i < last; ++i)
     {
-      const Key key = this->Points[i].Key;
+      const Key key = this->Points[i].GetKey();
       int common = -1;
       if (i > 0)
       {
-        common = Key::GetCommonDepth(this->Points[i - 1].Key, key);
-        if (common > deepest)
+        const Key previous = this->Points[i - 1].GetKey();
+        if ((previous.GetValue() ^ key.GetValue()) < keysOfLeaf)
         {
           continue; // In the same leaf.
         }
+        common = Key::GetCommonDepth(previous, key);
         this->EndChildren(next, i, common, deepest);
       }
       const DepthRange depths = this->GetInternalNodesAt(i);
       deepest = std::max(common, depths.Last);
+      keysOfLeaf = CountKeysBelow(deepest);
       for (int depth = depths.First; depth <= depths.Last; ++depth)
       {
         const auto d = static_cast<std::size_t>(depth);
@@ -188,6 +191,12 @@ private:
     }
   }
 
+  /** How many keys at MaxDepth a child of a node at `depth` has; -1 for the parent of the root. */
+  static std::uint64_t CountKeysBelow(int depth)
+  {
+    return std::uint64_t(1) << (Dim * (Key::MaxDepth - depth - 1));
+  }
+
   /** The depth of the deepest internal node that the point before a chunk is in, -1 for none. */
   int GetDeepestBefore(const Before& before, std::size_t first) const
   {
@@ -196,7 +205,8 @@ private:
     {
       const std::size_t lastBegin = before.LastBegin[static_cast<std::size_t>(depth)];
       if (lastBegin > 0 &&
-        Key::GetCommonDepth(this->Points[lastBegin - 1].Key, this->Points[first - 1].Key) >= depth)
+        Key::GetCommonDepth(
+          this->Points[lastBegin - 1].GetKey(), this->Points[first - 1].GetKey()) >= depth)
       {
         break;
       }
@@ -208,7 +218,7 @@ private:
    * holds it ends at i. */
   void EndChildren(const PerDepth& next, std::size_t i, int firstDepth, int lastDepth)
   {
-    const Key key = this->Points[i - 1].Key;
+    const Key key = this->Points[i - 1].GetKey();
     for (int depth = firstDepth; depth <= lastDepth; ++depth)
     {
       Block& block = this->Tree.Blocks[next[static_cast<std::size_t>(depth)] - 1];

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSelection.h"
 
+#include "FiniteBox.h"
+
 #include <stdexcept>
 
 namespace hashedoctree
@@ -21,14 +23,45 @@ void RequireValid(const Box<Dim>& box)
     }
   }
 }
+}
 
 template <int Dim>
-struct ChunkCensus
+struct PointSelection<Dim>::Census
 {
   Box<Dim> Bounds;
   std::size_t Kept = 0;
   std::size_t Skipped = 0;
 };
+
+/** Looks at the points [first, last), at least one. */
+template <int Dim>
+template <typename Points>
+typename PointSelection<Dim>::Census PointSelection<Dim>::Count(
+  Points points, std::size_t first, std::size_t last) const
+{
+  if (!this->HasBox)
+  {
+    if (const auto box = FindFiniteBox<Dim>(points[first], last - first))
+    {
+      return Census{ *box, last - first, 0 };
+    }
+  }
+  Census census;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    const auto x = points[i];
+    if (!IsFinite(x))
+    {
+      ++census.Skipped;
+    }
+    else if (!this->HasBox || this->IsInBox(x))
+    {
+      ++census.Kept;
+      const Position<Dim> position = GetPosition<Dim>(points, i);
+      census.Bounds.Add(Box<Dim>(position, position));
+    }
+  }
+  return census;
 }
 
 template <int Dim>
@@ -48,35 +81,14 @@ PointSelection<Dim>::PointSelection(
     this->Bounds = *given;
   }
 
-  std::vector<ChunkCensus<Dim>> census(Execution::GetNumberOfChunks(points.Count, ChunkSize));
+  std::vector<Census> census(Execution::GetNumberOfChunks(points.Count, ChunkSize));
   execution.ForChunks(points.Count, ChunkSize,
     [&](std::size_t chunk, std::size_t first, std::size_t last)
-    {
-      ChunkCensus<Dim> local;
-      for (std::size_t i = first; i < last; ++i)
-      {
-        const auto x = points[i];
-        if (!IsFinite(x))
-        {
-          ++local.Skipped;
-        }
-        else if (!this->HasBox || this->IsInBox(x))
-        {
-          ++local.Kept;
-          for (int axis = 0; axis < Dim; ++axis)
-          {
-            const double coordinate = static_cast<double>(x[axis]);
-            local.Bounds.Lower[axis] = std::min(local.Bounds.Lower[axis], coordinate);
-            local.Bounds.Upper[axis] = std::max(local.Bounds.Upper[axis], coordinate);
-          }
-        }
-      }
-      census[chunk] = local;
-    });
+    { census[chunk] = this->Count(points, first, last); });
 
   this->FirstOfChunk.assign(1, 0);
   this->FirstOfChunk.reserve(census.size() + 1);
-  for (const ChunkCensus<Dim>& chunk : census)
+  for (const Census& chunk : census)
   {
     this->FirstOfChunk.push_back(this->FirstOfChunk.back() + chunk.Kept);
     this->Skipped += chunk.Skipped;

@@ -96,6 +96,10 @@ private:
   template <int Space>
   friend class PointSelection;
 
+  struct Census;
+  template <typename Points>
+  Census Count(Points points, std::size_t first, std::size_t last) const;
+
   template <typename Coordinates>
   static bool IsFinite(const Coordinates& x)
   {

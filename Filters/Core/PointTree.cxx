@@ -59,7 +59,10 @@ PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelectio
 template <int Dim, typename Real>
 PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelection<Dim>& selection,
   const Options& options, const Execution& execution, Buffer<Real> own, Real* others)
-  : Tree(points, selection, options, execution.Part(0.0, 0.6))
+  : Tree(points, selection, options, execution.Part(0.0, 0.6),
+      // The coordinates are copied after the points are in order.
+      { others == nullptr ? own.GetData() : others,
+        Dim * sizeof(Real) * selection.GetNumberOfPoints() })
   , Starts(this->Tree, StartDepthOptions())
   , Ids(this->Tree.GetPointIds())
   , OwnCoordinates(std::move(own))

@@ -228,10 +228,7 @@ void RankedPoints::Merge(
   this->MergeInline(dist2, ids, chosen, most);
 }
 
-#if defined(__x86_64__)
-__attribute__((target("avx2")))
-#endif
-void RankedPoints::MergeWithVectors(
+HASHEDOCTREE_WITH_AVX2 void RankedPoints::MergeWithVectors(
   const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
 {
   this->MergeInline(dist2, ids, chosen, most);

@@ -61,7 +61,8 @@ private:
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
     {
       const Point* end = std::partition_point(first, last,
-        [=](const Point& point) { return point.Key.AtDepth(depth + 1).GetOctant() <= octant; });
+        [=](const Point& point)
+        { return point.GetKey().AtDepth(depth + 1).GetOctant() <= octant; });
       this->SplitNode(maker, maker.GetChild(children, octant), first, end, depth + 1);
       first = end;
     }

@@ -35,8 +35,8 @@ TYPED_TEST(TestMortonCodes, EncodesTheSelectedPointsInOrder)
     {
       if (selection.Keeps(sample.GetSpan()[id]))
       {
-        ASSERT_EQ(coded[next].Id, id);
-        ASSERT_EQ(coded[next].Key, grid.GetKey(sample.GetSpan()[id]));
+        ASSERT_EQ(coded[next].GetId(), id);
+        ASSERT_EQ(coded[next].GetKey(), grid.GetKey(sample.GetSpan()[id]));
         ++next;
       }
     }

@@ -31,7 +31,7 @@ protected:
 
   static void SortByKey(Point* first, Point* last)
   {
-    const auto less = [](const Point& a, const Point& b) { return a.Key < b.Key; };
+    const auto less = [](const Point& a, const Point& b) { return a.GetKey() < b.GetKey(); };
     if (!std::is_sorted(first, last, less))
     {
       std::stable_sort(first, last, less);
@@ -71,7 +71,7 @@ protected:
       while (count > 0)
       {
         const auto isInChild = [=](const Point& point)
-        { return point.Key.AtDepth(depth + 1) == expected->Key.AtDepth(depth + 1); };
+        { return point.GetKey().AtDepth(depth + 1) == expected->GetKey().AtDepth(depth + 1); };
         const auto here = static_cast<std::size_t>(
           std::partition_point(expected, expected + count, isInChild) - expected);
         ExpectLeaves(points, expected, here, depth + 1, limits);
@@ -83,7 +83,8 @@ protected:
     }
     // In a leaf only equal keys have an order, and this keeps it.
     SortByKey(points, points + count);
-    const auto same = [](const Point& a, const Point& b) { return a.Key == b.Key && a.Id == b.Id; };
+    const auto same = [](const Point& a, const Point& b)
+    { return a.GetKey() == b.GetKey() && a.GetId() == b.GetId(); };
     const Point* different = std::mismatch(points, points + count, expected, same).first;
     ASSERT_EQ(different, points + count) << "point " << different - points << " of a leaf";
   }
@@ -131,6 +132,34 @@ TYPED_TEST(TestMortonOrder, SortsManyPointsOnAnyThreads)
   for (const auto& sample : { uniform, clusters, outlier, coincident })
   {
     TestFixture::ExpectSorted(sample, orderings);
+  }
+}
+
+TYPED_TEST(TestMortonOrder, SpareMemoryChangesNothing)
+{
+  constexpr int dim = TestFixture::Dim;
+  constexpr int maxDepth = MortonKey<dim>::MaxDepth;
+  constexpr std::size_t count = 100000;
+  const PointSample<dim, double> sample{ "clusters", MakeClusteredPoints<dim, double>(count, 55) };
+  auto expected = TestFixture::Encode(sample);
+  SortAlongMortonCurve(expected, 8, maxDepth, Execution());
+  const auto areSame = [](const auto& a, const auto& b)
+  { return a.GetKey() == b.GetKey() && a.GetId() == b.GetId(); };
+  // Too little by one point, as much as is used, and more than that.
+  for (const std::size_t room : { count - 1, count, count + 1000 })
+  {
+    const CodedPoint<dim> untouched(MortonKey<dim>(), MaxNumberOfPoints);
+    std::vector<CodedPoint<dim>> spare(count + 1000, untouched);
+    auto points = TestFixture::Encode(sample);
+    SortAlongMortonCurve(
+      points, 8, maxDepth, Execution(), { spare.data(), room * sizeof(untouched) });
+    ASSERT_TRUE(
+      std::equal(points.GetData(), points.GetData() + count, expected.GetData(), areSame));
+    ASSERT_EQ(areSame(spare[1], untouched), room < count);
+    for (std::size_t i = room < count ? 0 : count; i < spare.size(); ++i)
+    {
+      ASSERT_TRUE(areSame(spare[i], untouched)) << i;
+    }
   }
 }
 

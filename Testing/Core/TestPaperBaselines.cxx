@@ -34,7 +34,7 @@ protected:
     ASSERT_EQ(node.Data == nullptr, leaf.IsEmpty());
     if (!leaf.IsEmpty())
     {
-      ASSERT_EQ(node.Data->Id, tree.GetPointIds()[leaf.FirstPoint]);
+      ASSERT_EQ(node.Data->GetId(), tree.GetPointIds()[leaf.FirstPoint]);
     }
   }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_SpareMemory_h
+#define hashedoctree_SpareMemory_h
+
+#include "Buffer.h"
+
+#include <cstddef>
+
+namespace hashedoctree
+{
+/**
+ * Memory that its owner has no use for yet, lent to a function until it returns, to be written to
+ * at will: fresh pages cost more than what most loops do with them. Aligned as std::malloc() does.
+ */
+struct SpareMemory
+{
+  void* Data = nullptr;
+  std::size_t Bytes = 0;
+};
+
+/** Room for `size` values, uninitialised: in the spare memory if that is large enough, else in
+ * `own`, which is made for it. */
+template <typename T>
+T* FindRoom(std::size_t size, SpareMemory spare, Buffer<T>& own)
+{
+  if (spare.Bytes >= size * sizeof(T))
+  {
+    return static_cast<T*>(spare.Data);
+  }
+  own = Buffer<T>(size);
+  return own.GetData();
+}
+}
+
+#endif
