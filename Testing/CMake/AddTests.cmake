@@ -120,6 +120,25 @@ function (_hashedoctree_add_gtest name file label)
     "${CMAKE_CURRENT_SOURCE_DIR}/Support" "${CMAKE_CURRENT_SOURCE_DIR}/Benchmarks")
   target_link_libraries("${name}" PRIVATE ${ARGN} GTest::gtest_main)
   hashedoctree_own_code("${name}")
+  # What they test is as it ships; they themselves compile in two thirds of the time that -O3 takes.
+  target_compile_options("${name}" PRIVATE $<$<CONFIG:Release>:-O1>)
+  _hashedoctree_precompile_headers("${name}" "${label}")
   add_test(NAME "${name}" COMMAND "${name}")
   set_tests_properties("${name}" PROPERTIES LABELS "${label}" TIMEOUT 600)
+endfunction ()
+
+# The builds with a sanitizer read the headers that all tests have in common once for each label. The
+# plain build does not: it shows which #include is missing, and clang-tidy cannot read what GCC makes.
+function (_hashedoctree_precompile_headers name label)
+  if (NOT HASHEDOCTREE_SANITIZE)
+    return ()
+  endif ()
+  get_property(first GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_${label}")
+  if (first)
+    target_precompile_headers("${name}" REUSE_FROM "${first}")
+  else ()
+    target_precompile_headers("${name}" PRIVATE
+      <gtest/gtest.h> <algorithm> <array> <cmath> <functional> <numeric> <random> <vector>)
+    set_property(GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_${label}" "${name}")
+  endif ()
 endfunction ()
