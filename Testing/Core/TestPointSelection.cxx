@@ -5,6 +5,7 @@
 #include "PointSamples.h"
 #include "Threads.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 using namespace hashedoctree;
@@ -61,6 +62,28 @@ TEST(TestPointSelectionFacts, FacesOfAGivenBoxAreInside)
   EXPECT_TRUE(selection.Keeps(&x[1]));
   EXPECT_FALSE(selection.Keeps(&x[3]));
   EXPECT_FALSE(selection.Keeps(&x[5]));
+}
+
+TYPED_TEST(TestPointSelection, GivenBoxesHoldAPartOfThePoints)
+{
+  constexpr int dim = TypeParam::value;
+  // All of them finite.
+  const PointSample<dim, float> sample{ "uniform", MakeUniformPoints<dim, float>(1000, 32) };
+  Position<dim> lower{};
+  Position<dim> upper;
+  upper.fill(0.75);
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < 1000; ++i)
+  {
+    const float* x = sample.GetSpan()[i];
+    inside += std::all_of(x, x + dim, [](float c) { return c <= 0.75F; }) ? 1 : 0;
+  }
+  const PointSelection<dim> selection(
+    sample.GetSpan(), Box<dim>(lower, upper), Execution(OnThreads(2)));
+  EXPECT_EQ(selection.GetNumberOfPoints(), inside);
+  EXPECT_EQ(selection.GetNumberOfOutsidePoints(), 1000 - inside);
+  EXPECT_EQ(selection.GetBox().Lower, lower);
+  EXPECT_EQ(selection.GetBox().Upper, upper);
 }
 
 TEST(TestPointSelectionFacts, HugeCoordinatesCountAsNotFinite)
