@@ -58,7 +58,8 @@ struct Box
 
 /**
  * World coordinates to the integer cells of the smallest depth, and back. This is the only place
- * that rounds: everything else works on integer keys, so a point and its leaf can never disagree.
+ * that rounds, with GridCells.h, which does the same to many at once: everything else works on
+ * integer keys, so a point and its leaf can never disagree.
  *
  * The root cube has the lower corner of the box and its largest extent as side, or side 1 where
  * the box is a single point. Cells are half open, but for those on the upper faces of the cube,
