@@ -5,12 +5,13 @@
 #include "Buffer.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace hashedoctree
 {
 /**
  * Memory that its owner has no use for yet, lent to a function until it returns, to be written to
- * at will: fresh pages cost more than what most loops do with them. Aligned as std::malloc() does.
+ * at will: fresh pages cost more than what most loops do with them.
  */
 struct SpareMemory
 {
@@ -18,12 +19,13 @@ struct SpareMemory
   std::size_t Bytes = 0;
 };
 
-/** Room for `size` values, uninitialised: in the spare memory if that is large enough, else in
- * `own`, which is made for it. */
+/** Room for `size` values, uninitialised: in the spare memory if that is large enough and aligned
+ * for them, else in `own`, which is made for it. */
 template <typename T>
 T* FindRoom(std::size_t size, SpareMemory spare, Buffer<T>& own)
 {
-  if (spare.Bytes >= size * sizeof(T))
+  const bool isAligned = reinterpret_cast<std::uintptr_t>(spare.Data) % alignof(T) == 0;
+  if (isAligned && spare.Bytes >= size * sizeof(T))
   {
     return static_cast<T*>(spare.Data);
   }

@@ -156,10 +156,9 @@ TYPED_TEST(TestMortonOrder, SpareMemoryChangesNothing)
     ASSERT_TRUE(
       std::equal(points.GetData(), points.GetData() + count, expected.GetData(), areSame));
     ASSERT_EQ(areSame(spare[1], untouched), room < count);
-    for (std::size_t i = room < count ? 0 : count; i < spare.size(); ++i)
-    {
-      ASSERT_TRUE(areSame(spare[i], untouched)) << i;
-    }
+    const auto firstSpared = spare.begin() + static_cast<std::ptrdiff_t>(room < count ? 0 : count);
+    EXPECT_TRUE(std::all_of(
+      firstSpared, spare.end(), [&](const auto& point) { return areSame(point, untouched); }));
   }
 }
 

@@ -30,3 +30,14 @@ TEST(TestSpareMemory, IsLeftAloneWhereItIsTooSmall)
   EXPECT_EQ(room, own.GetData());
   EXPECT_EQ(own.GetSize(), 6U);
 }
+
+TEST(TestSpareMemory, IsLeftAloneWhereItIsNotAligned)
+{
+  alignas(std::uint64_t) std::array<std::uint32_t, 8> spare{};
+  for (const std::size_t place : { 0U, 1U, 2U })
+  {
+    Buffer<std::uint64_t> own;
+    const void* room = FindRoom(2, { &spare[place], 4 * sizeof(std::uint32_t) }, own);
+    EXPECT_EQ(room == &spare[place], place % 2 == 0);
+  }
+}
