@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MortonCodes.h"
 
+#include "FirstTouch.h"
 #include "GridCells.h"
 #include "PlaneSpan.h"
 
@@ -33,6 +34,7 @@ Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& s
   const Grid<Dim>& grid, const Execution& execution)
 {
   Buffer<CodedPoint<Dim>> coded(selection.GetNumberOfPoints());
+  TouchPages(coded, execution);
   execution.ForChunks(points.Count, PointSelection<Dim>::ChunkSize,
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {

@@ -103,6 +103,7 @@ private:
   {
     const std::size_t numberOfPoints = this->Points.GetSize();
     this->Tree.PointIds = Buffer<PointIndex>(numberOfPoints);
+    TouchPages(this->Tree.PointIds, execution);
     execution.ForChunks(numberOfPoints, ChunkSize,
       [this](std::size_t chunk, std::size_t first, std::size_t last)
       {
