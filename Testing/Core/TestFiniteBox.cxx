@@ -4,7 +4,9 @@
 #include "Dimensions.h"
 #include "PointSamples.h"
 
+#include <cmath>
 #include <limits>
+#include <utility>
 
 using namespace hashedoctree;
 

@@ -4,6 +4,7 @@
 #include "Dimensions.h"
 #include "PointSamples.h"
 
+#include <cmath>
 #include <limits>
 
 using namespace hashedoctree;
@@ -77,7 +78,7 @@ TYPED_TEST(TestGridCells, CoordinatesThatAreNoPlaceGetCellsToo)
          -0.0, 1.0, std::nextafter(1.0, 0.0), 0.5 })
   {
     coordinates[place] = odd;
-    place += 3; // On each axis, and in each lane of a vector.
+    place += 5; // On each axis, and in each lane of a vector.
   }
   TestFixture::ExpectCellsOfTheGrid(grid, coordinates);
   TestFixture::ExpectCellsOfTheGrid(

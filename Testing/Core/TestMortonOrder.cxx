@@ -29,6 +29,11 @@ protected:
   };
   static constexpr Limits All{ 1, MortonKey<Dim>::MaxDepth };
 
+  static bool AreSame(const Point& a, const Point& b)
+  {
+    return a.GetKey() == b.GetKey() && a.GetId() == b.GetId();
+  }
+
   static void SortByKey(Point* first, Point* last)
   {
     const auto less = [](const Point& a, const Point& b) { return a.GetKey() < b.GetKey(); };
@@ -83,9 +88,7 @@ protected:
     }
     // In a leaf only equal keys have an order, and this keeps it.
     SortByKey(points, points + count);
-    const auto same = [](const Point& a, const Point& b)
-    { return a.GetKey() == b.GetKey() && a.GetId() == b.GetId(); };
-    const Point* different = std::mismatch(points, points + count, expected, same).first;
+    const Point* different = std::mismatch(points, points + count, expected, AreSame).first;
     ASSERT_EQ(different, points + count) << "point " << different - points << " of a leaf";
   }
 };
@@ -143,8 +146,6 @@ TYPED_TEST(TestMortonOrder, SpareMemoryChangesNothing)
   const PointSample<dim, double> sample{ "clusters", MakeClusteredPoints<dim, double>(count, 55) };
   auto expected = TestFixture::Encode(sample);
   SortAlongMortonCurve(expected, 8, maxDepth, Execution());
-  const auto areSame = [](const auto& a, const auto& b)
-  { return a.GetKey() == b.GetKey() && a.GetId() == b.GetId(); };
   // Too little by one point, as much as is used, and more than that.
   for (const std::size_t room : { count - 1, count, count + 1000 })
   {
@@ -153,12 +154,12 @@ TYPED_TEST(TestMortonOrder, SpareMemoryChangesNothing)
     auto points = TestFixture::Encode(sample);
     SortAlongMortonCurve(
       points, 8, maxDepth, Execution(), { spare.data(), room * sizeof(untouched) });
-    ASSERT_TRUE(
-      std::equal(points.GetData(), points.GetData() + count, expected.GetData(), areSame));
-    ASSERT_EQ(areSame(spare[1], untouched), room < count);
+    ASSERT_TRUE(std::equal(
+      points.GetData(), points.GetData() + count, expected.GetData(), TestFixture::AreSame));
+    ASSERT_EQ(TestFixture::AreSame(spare[1], untouched), room < count);
     const auto firstSpared = spare.begin() + static_cast<std::ptrdiff_t>(room < count ? 0 : count);
-    EXPECT_TRUE(std::all_of(
-      firstSpared, spare.end(), [&](const auto& point) { return areSame(point, untouched); }));
+    EXPECT_TRUE(std::all_of(firstSpared, spare.end(),
+      [&](const auto& point) { return TestFixture::AreSame(point, untouched); }));
   }
 }
 
