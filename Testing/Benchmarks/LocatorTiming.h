@@ -39,7 +39,9 @@ Answers GetAnswers(
  * them once: they are in random order, so that the first ones stand for all. */
 Timing TimeQueries(LocatorPeer& peer, const Question& question, double seconds);
 
-/** Builds at least once, and again until about `seconds` are over. */
+/** Builds at least once, and again until about `seconds` are over. One build before does not count:
+ * a virtual machine may have given the memory that nobody used for some seconds back to its host,
+ * and then waits up to 9 ms for each large page, whoever asks first. */
 Timing TimeBuilds(const PeerKind& kind, const LocatorData& data, double seconds);
 }
 
