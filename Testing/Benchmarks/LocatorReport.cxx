@@ -62,7 +62,8 @@ void WriteTimes(std::ostream& out, const LocatorOptions& options, const LocatorR
   out << "# Point locators\n\n"
          "Median times of "
       << options.Peers[0]
-      << ", each for one query or one build, then how many times as long the others take. VTK is "
+      << ", each for one query or one build, then how many times as long the others take. Each "
+         "repetition of builds begins with one that does not count. VTK is "
       << vtkVersion::GetVTKVersion() << ".\n\n";
   for (const std::string& peer : options.Peers)
   {
