@@ -57,8 +57,10 @@ public:
 
   void Prefetch(std::uint64_t code) const { this->GetShard(code).Numbers.Prefetch(code); }
 
-  /** The number of a code, which is `next` when it is new. Sets `hasGrown` when that took long. */
-  std::uint64_t FindOrInsert(std::uint64_t code, std::uint64_t next, bool& hasGrown)
+  /** The number of a code, which is `next` when it is new. Where a shard grows, it reports that so
+   * much is done. */
+  std::uint64_t FindOrInsert(
+    std::uint64_t code, std::uint64_t next, const Execution& execution, double done)
   {
     Shard& shard = this->Shards[GetShardOf(code)];
     if (const std::uint64_t* number = shard.Numbers.Find(code))
@@ -67,8 +69,7 @@ public:
     }
     if (shard.Numbers.GetNumberOfKeys() == shard.Room)
     {
-      shard.Grow();
-      hasGrown = true;
+      shard.Grow(execution.Part(done, done));
     }
     return shard.Numbers.Insert(code, next);
   }
@@ -94,13 +95,15 @@ private:
     std::size_t Room = FirstRoom;
     NodeTable<std::uint64_t> Numbers{ FirstRoom };
 
-    void Grow()
+    void Grow(const Execution& execution)
     {
       this->Room *= 2;
       NodeTable<std::uint64_t> larger(this->Room);
+      larger.TouchPages(execution);
       this->Numbers.ForEach(
         [&larger](std::uint64_t code, std::uint64_t number) { larger.Insert(code, number); });
       this->Numbers = std::move(larger);
+      execution.Tell(1.0);
     }
   };
 
@@ -149,24 +152,23 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
   CornerNumbers numbers;
   for (std::size_t node = 0; node < numberOfNodes; ++node)
   {
-    bool isDue = node % BatchSize == 0;
+    const double done = static_cast<double>(node) / static_cast<double>(numberOfNodes);
+    if (node % BatchSize == 0)
+    {
+      execution.Tell(done);
+    }
     const Extent<Dim> ahead(nodes[std::min(node + PrefetchDistance, numberOfNodes - 1)].NodeKey);
     const Extent<Dim> extent(nodes[node].NodeKey);
     for (unsigned corner = 0; corner < CornersOfNode; ++corner)
     {
       numbers.Prefetch(Code(ahead.GetCorner(corner)));
       const std::uint64_t code = Code(extent.GetCorner(corner));
-      const std::uint64_t number = numbers.FindOrInsert(code, this->Count, isDue);
+      const std::uint64_t number = numbers.FindOrInsert(code, this->Count, execution, done);
       if (number == this->Count)
       {
         this->Codes[this->Count++] = code;
       }
       connectivity[node * CornersOfNode + corner] = static_cast<Integer>(number);
-      if (isDue)
-      {
-        isDue = false;
-        execution.Tell(static_cast<double>(node) / static_cast<double>(numberOfNodes));
-      }
     }
   }
   numbers.Clear(execution);

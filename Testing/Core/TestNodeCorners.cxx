@@ -4,7 +4,9 @@
 #include "Dimensions.h"
 #include "NodeList.h"
 #include "SampleTree.h"
+#include "Threads.h"
 
+#include <algorithm>
 #include <set>
 
 using namespace hashedoctree;
@@ -70,6 +72,23 @@ TEST(TestNodeCornersFacts, GrowsWhenFewCornersAreShared)
   const SampleTree<3, double> made(sample);
   const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());
   std::vector<int> connectivity(8 * nodes.GetSize());
-  const NodeCorners<3> corners(nodes, connectivity.data(), Execution());
+  std::vector<double> looks;
+  const Execution execution(OnThreads(1),
+    [&looks](double fraction)
+    {
+      looks.push_back(fraction);
+      return true;
+    });
+  const NodeCorners<3> corners(nodes, connectivity.data(), execution);
   EXPECT_GT(corners.GetNumberOfCorners(), 4 * nodes.GetSize());
+
+  // More looks than from one batch of nodes to the next: each time that something grows, too.
+  EXPECT_TRUE(std::is_sorted(looks.begin(), looks.end()));
+  EXPECT_GT(looks.size(), 1000U);
+  for (const std::size_t last : { std::size_t(1), looks.size() / 2, looks.size() })
+  {
+    std::size_t left = last;
+    const Execution interrupted(OnThreads(1), [&left](double) { return --left != 0; });
+    EXPECT_THROW(NodeCorners<3>(nodes, connectivity.data(), interrupted), Interrupted) << last;
+  }
 }
