@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodeCorners.h"
 
-#include <utility>
+#include "NodeTable.h"
+
+#include <algorithm>
 #include <vector>
 
 namespace hashedoctree
@@ -50,28 +52,24 @@ constexpr std::size_t PrefetchDistance = 6; // Nodes ahead whose corners are on 
 class CornerNumbers
 {
 public:
-  CornerNumbers()
-    : Shards(NumberOfShards)
-  {
-  }
-
-  void Prefetch(std::uint64_t code) const { this->GetShard(code).Numbers.Prefetch(code); }
+  void Prefetch(std::uint64_t code) const { this->Shards[GetShardOf(code)].Prefetch(code); }
 
   /** The number of a code, which is `next` when it is new. Where a shard grows, it reports that so
    * much is done. */
   std::uint64_t FindOrInsert(
     std::uint64_t code, std::uint64_t next, const Execution& execution, double done)
   {
-    Shard& shard = this->Shards[GetShardOf(code)];
-    if (const std::uint64_t* number = shard.Numbers.Find(code))
+    NodeTable<std::uint64_t>& shard = this->Shards[GetShardOf(code)];
+    if (const std::uint64_t* number = shard.Find(code))
     {
       return *number;
     }
-    if (shard.Numbers.GetNumberOfKeys() == shard.Room)
+    const std::size_t numberOfKeys = shard.GetNumberOfKeys() + 1;
+    if (!shard.HasRoom(numberOfKeys))
     {
-      shard.Grow(execution.Part(done, done));
+      shard.Reserve(numberOfKeys, execution.Part(done, done));
     }
-    return shard.Numbers.Insert(code, next);
+    return shard.Insert(code, next);
   }
 
   /** Frees everything, with reports of progress in between. */
@@ -87,34 +85,16 @@ public:
 private:
   static constexpr int ShardBits = 8;
   static constexpr std::size_t NumberOfShards = std::size_t(1) << ShardBits;
-  // Small, so that the memory of all shards is not touched at once.
-  static constexpr std::size_t FirstRoom = 64;
-
-  struct Shard
-  {
-    std::size_t Room = FirstRoom;
-    NodeTable<std::uint64_t> Numbers{ FirstRoom };
-
-    void Grow(const Execution& execution)
-    {
-      this->Room *= 2;
-      NodeTable<std::uint64_t> larger(this->Room);
-      larger.TouchPages(execution);
-      this->Numbers.ForEach(
-        [&larger](std::uint64_t code, std::uint64_t number) { larger.Insert(code, number); });
-      this->Numbers = std::move(larger);
-      execution.Tell(1.0);
-    }
-  };
 
   static std::size_t GetShardOf(std::uint64_t code)
   {
     // Another constant than that of the tables: a shard must not be one part of its table's slots.
     return static_cast<std::size_t>(code * 0xd6e8feb86659fd93U >> (64 - ShardBits));
   }
-  const Shard& GetShard(std::uint64_t code) const { return this->Shards[GetShardOf(code)]; }
 
-  std::vector<Shard> Shards;
+  // They start small, so that the memory of all is not touched at once.
+  std::vector<NodeTable<std::uint64_t>> Shards =
+    std::vector<NodeTable<std::uint64_t>>(NumberOfShards);
 };
 }
 

@@ -22,9 +22,9 @@ public:
   /**
    * Numbers the corners of `nodes` in the order in which they are met. Writes CornersOfNode numbers
    * for each node to `connectivity`; bit a of a corner's place in its node says that it is the
-   * upper one on axis a, so the first axis is the LOW bit, as in a VTK_VOXEL. O(nodes), one thread.
-   * Throws Interrupted. Instantiated for int and long long; the
-   * numbers must fit.
+   * upper one on axis a, so the first axis is the LOW bit, as in a VTK_VOXEL. O(nodes), one thread
+   * but to touch memory. Throws Interrupted. Instantiated for int and long long; the numbers must
+   * fit.
    */
   template <typename Integer>
   NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes, Integer* connectivity,

@@ -10,8 +10,8 @@
 namespace hashedoctree
 {
 /**
- * Memory that its owner has no use for yet, lent to a function until it returns, to be written to
- * at will: fresh pages cost more than what most loops do with them.
+ * Memory in which its owner has nothing while a function runs, lent to that to write to at will:
+ * fresh pages cost more than what most loops do with them.
  */
 struct SpareMemory
 {
