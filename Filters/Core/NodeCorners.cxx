@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodeCorners.h"
 
-#include "NodeTable.h"
+#include "NodeWalk.h"
+#include "OpenCorners.h"
 
 #include <algorithm>
-#include <vector>
+#include <array>
 
 namespace hashedoctree
 {
 namespace
 {
-/** Corners on one axis. A corner's coordinates are the digits of its code in this base. */
-template <int Dim>
-constexpr std::uint64_t CodeBase = (std::uint64_t(1) << MortonKey<Dim>::MaxDepth) + 1;
-
 /** Lower corner and side of a node, in cells of MaxDepth. */
 template <int Dim>
 struct Extent
@@ -42,84 +39,15 @@ struct Extent
   }
 };
 
-constexpr std::size_t BatchSize = 4096;     // Nodes between two reports of progress.
-constexpr std::size_t PrefetchDistance = 6; // Nodes ahead whose corners are on the way.
-
-/**
- * Codes to numbers, in shards that grow one by one: neither growing nor freeing one takes long
- * enough to keep an abort waiting, as it would with a single table for a hundred million corners.
- */
-class CornerNumbers
-{
-public:
-  void Prefetch(std::uint64_t code) const { this->Shards[GetShardOf(code)].Prefetch(code); }
-
-  /** The number of a code, which is `next` when it is new. Where a shard grows, it reports that so
-   * much is done. */
-  std::uint64_t FindOrInsert(
-    std::uint64_t code, std::uint64_t next, const Execution& execution, double done)
-  {
-    NodeTable<std::uint64_t>& shard = this->Shards[GetShardOf(code)];
-    if (const std::uint64_t* number = shard.Find(code))
-    {
-      return *number;
-    }
-    const std::size_t numberOfKeys = shard.GetNumberOfKeys() + 1;
-    if (!shard.HasRoom(numberOfKeys))
-    {
-      shard.Reserve(numberOfKeys, execution.Part(done, done));
-    }
-    return shard.Insert(code, next);
-  }
-
-  /** Frees everything, with reports of progress in between. */
-  void Clear(const Execution& execution)
-  {
-    while (!this->Shards.empty())
-    {
-      this->Shards.pop_back();
-      execution.Tell(1.0);
-    }
-  }
-
-private:
-  static constexpr int ShardBits = 8;
-  static constexpr std::size_t NumberOfShards = std::size_t(1) << ShardBits;
-
-  static std::size_t GetShardOf(std::uint64_t code)
-  {
-    // Another constant than that of the tables: a shard must not be one part of its table's slots.
-    return static_cast<std::size_t>(code * 0xd6e8feb86659fd93U >> (64 - ShardBits));
-  }
-
-  // They start small, so that the memory of all is not touched at once.
-  std::vector<NodeTable<std::uint64_t>> Shards =
-    std::vector<NodeTable<std::uint64_t>>(NumberOfShards);
-};
-}
-
-template <int Dim>
-std::uint64_t NodeCorners<Dim>::Code(const Cell<Dim>& corner)
-{
-  std::uint64_t code = 0;
-  for (const std::uint32_t coordinate : corner)
-  {
-    code = code * CodeBase<Dim> + coordinate;
-  }
-  return code + 1; // A table knows no key 0.
+constexpr std::size_t BatchSize = 4096; // Nodes between two reports of progress.
+constexpr std::size_t GroupSize = 16;   // Nodes whose corners the machine loads together.
+static_assert(BatchSize % GroupSize == 0, "reports are made between groups");
 }
 
 template <int Dim>
 Cell<Dim> NodeCorners<Dim>::GetCorner(std::size_t corner) const
 {
-  Cell<Dim> coordinates;
-  std::uint64_t code = this->Codes[corner] - 1;
-  for (int axis = Dim - 1; axis >= 0; --axis)
-  {
-    coordinates[axis] = static_cast<std::uint32_t>(code % CodeBase<Dim>);
-    code /= CodeBase<Dim>;
-  }
-  return coordinates;
+  return DecodeCorner<Dim>(this->Codes[corner]);
 }
 
 template <int Dim>
@@ -129,29 +57,44 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
   : Codes(nodes.GetSize() * CornersOfNode)
 {
   const std::size_t numberOfNodes = nodes.GetSize();
-  CornerNumbers numbers;
-  for (std::size_t node = 0; node < numberOfNodes; ++node)
+  NodeWalk<Dim> walk(nodes);
+  OpenCorners<Dim> open;
+  std::array<std::size_t, GroupSize> places;
+  std::array<std::array<std::uint64_t, CornersOfNode>, GroupSize> codes;
+  for (std::size_t walked = 0; walked < numberOfNodes; walked += GroupSize)
   {
-    const double done = static_cast<double>(node) / static_cast<double>(numberOfNodes);
-    if (node % BatchSize == 0)
+    const double done = static_cast<double>(walked) / static_cast<double>(numberOfNodes);
+    if (walked % BatchSize == 0)
     {
       execution.Tell(done);
     }
-    const Extent<Dim> ahead(nodes[std::min(node + PrefetchDistance, numberOfNodes - 1)].NodeKey);
-    const Extent<Dim> extent(nodes[node].NodeKey);
-    for (unsigned corner = 0; corner < CornersOfNode; ++corner)
+    const std::size_t size = std::min(GroupSize, numberOfNodes - walked);
+    for (std::size_t i = 0; i < size; ++i)
     {
-      numbers.Prefetch(Code(ahead.GetCorner(corner)));
-      const std::uint64_t code = Code(extent.GetCorner(corner));
-      const std::uint64_t number = numbers.FindOrInsert(code, this->Count, execution, done);
-      if (number == this->Count)
+      places[i] = walk.Next();
+      const Extent<Dim> extent(nodes[places[i]].NodeKey);
+      for (unsigned corner = 0; corner < CornersOfNode; ++corner)
       {
-        this->Codes[this->Count++] = code;
+        codes[i][corner] = EncodeCorner<Dim>(extent.GetCorner(corner));
+        open.Prefetch(codes[i][corner]);
       }
-      connectivity[node * CornersOfNode + corner] = static_cast<Integer>(number);
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      const MortonKey<Dim> first = nodes[places[i]].NodeKey.GetFirstAtMaxDepth();
+      for (unsigned corner = 0; corner < CornersOfNode; ++corner)
+      {
+        const std::uint64_t code = codes[i][corner];
+        const std::uint64_t number = open.FindOrInsert(code, this->Count, first, execution, done);
+        if (number == this->Count)
+        {
+          this->Codes[this->Count++] = code;
+        }
+        connectivity[places[i] * CornersOfNode + corner] = static_cast<Integer>(number);
+      }
     }
   }
-  numbers.Clear(execution);
+  open.Clear(execution);
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

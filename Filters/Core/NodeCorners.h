@@ -20,11 +20,13 @@ public:
   static constexpr unsigned CornersOfNode = 1U << Dim;
 
   /**
-   * Numbers the corners of `nodes` in the order in which they are met. Writes CornersOfNode numbers
-   * for each node to `connectivity`; bit a of a corner's place in its node says that it is the
-   * upper one on axis a, so the first axis is the LOW bit, as in a VTK_VOXEL. O(nodes), one thread
-   * but to touch memory. Throws Interrupted. Instantiated for int and long long; the numbers must
-   * fit.
+   * Numbers the corners of `nodes`, which may be listed in any order, as they are met on a walk
+   * along the Morton curve (NodeWalk). Writes CornersOfNode numbers for each node to
+   * `connectivity`, in the order of the list; bit a of a corner's place in its node says that it is
+   * the upper one on axis a, so the first axis is the LOW bit, as in a VTK_VOXEL. O(nodes) where
+   * they are ordered by depth, then by key; one thread. Beside the results it takes memory for the
+   * corners that nodes further along the curve can share, only. Throws Interrupted. Instantiated
+   * for int and long long; the numbers must fit.
    */
   template <typename Integer>
   NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes, Integer* connectivity,
@@ -36,8 +38,6 @@ public:
   Cell<Dim> GetCorner(std::size_t corner) const;
 
 private:
-  static std::uint64_t Code(const Cell<Dim>& corner);
-
   Buffer<std::uint64_t> Codes; ///< Of each corner; sized for the most there can be.
   std::size_t Count = 0;
 };

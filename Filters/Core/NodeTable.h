@@ -56,20 +56,17 @@ public:
     return 2 * numberOfKeys <= this->GetNumberOfSlots();
   }
   /** Makes room for this many keys in all. Where there is too little, the table is filled anew at
-   * twice its size or more, with looks at progress when its pages are there (TouchPages()) and at
-   * the end: O(1) for each key ever inserted. References to values end. Where memory is out it
-   * throws std::bad_alloc, and nothing has changed; Interrupted leaves the same keys. */
-  void Reserve(std::size_t numberOfKeys, const Execution& execution = Execution())
+   * twice its size or more: O(1) for each key ever inserted. References to values end. Where memory
+   * is out it throws std::bad_alloc, and nothing has changed. */
+  void Reserve(std::size_t numberOfKeys)
   {
     if (this->HasRoom(numberOfKeys))
     {
       return;
     }
     NodeTable larger(std::max(numberOfKeys, this->GetNumberOfSlots()));
-    larger.TouchPages(execution);
     this->ForEach([&larger](std::uint64_t key, const Value& value) { larger.Insert(key, value); });
     *this = std::move(larger);
-    execution.Tell(1.0);
   }
 
   /** Adds a key, not 0 and not in the table yet. Adding more than there is room for is not

@@ -7,9 +7,41 @@
 #include "Threads.h"
 
 #include <algorithm>
+#include <random>
 #include <set>
 
 using namespace hashedoctree;
+
+namespace
+{
+/** Compares the corners of nodes with what their keys say. */
+template <int Dim>
+void CheckCorners(const Buffer<typename Octree<Dim>::Node>& nodes)
+{
+  std::vector<long long> connectivity(nodes.GetSize() << Dim);
+  const NodeCorners<Dim> corners(nodes, connectivity.data(), Execution());
+  std::set<Cell<Dim>> distinct;
+  for (std::size_t node = 0; node < nodes.GetSize(); ++node)
+  {
+    const int depth = nodes[node].NodeKey.GetDepth();
+    const Cell<Dim> cell = nodes[node].NodeKey.GetCell();
+    for (unsigned corner = 0; corner < (1U << Dim); ++corner)
+    {
+      Cell<Dim> expected;
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        // The first axis is the low bit of a corner's place, as in a VTK_VOXEL.
+        expected[axis] = (cell[axis] + (corner >> axis & 1U)) << (MortonKey<Dim>::MaxDepth - depth);
+      }
+      const auto number = static_cast<std::size_t>(connectivity[(node << Dim) + corner]);
+      ASSERT_LT(number, corners.GetNumberOfCorners());
+      ASSERT_EQ(corners.GetCorner(number), expected);
+      distinct.insert(expected);
+    }
+  }
+  EXPECT_EQ(corners.GetNumberOfCorners(), distinct.size());
+}
+}
 
 template <typename Dimension>
 class TestNodeCorners : public ::testing::Test
@@ -20,34 +52,23 @@ TYPED_TEST_SUITE(TestNodeCorners, Dimensions);
 TYPED_TEST(TestNodeCorners, CornersAreWhereTheyShouldBeAndShared)
 {
   constexpr int dim = TypeParam::value;
-  for (const auto& sample : MakePointSamples<dim, double>())
+  auto samples = MakePointSamples<dim, double>();
+  samples.push_back({ "many", MakeUniformPoints<dim, double>(5000, 125) });
+  std::mt19937 random(126);
+  for (const auto& sample : samples)
   {
     SCOPED_TRACE(sample.Name);
     const SampleTree<dim, double> made(sample);
-    const auto nodes = ListNodes(made.Tree, NodeListOptions{ true, true }, Execution());
-    std::vector<long long> connectivity(nodes.GetSize() << dim);
-    const NodeCorners<dim> corners(nodes, connectivity.data(), Execution());
-    std::set<Cell<dim>> distinct;
-    for (std::size_t node = 0; node < nodes.GetSize(); ++node)
+    auto nodes = ListNodes(made.Tree, NodeListOptions{ true, true }, Execution());
+    for (const bool isShuffled : { false, true })
     {
-      const int depth = nodes[node].NodeKey.GetDepth();
-      const Cell<dim> cell = nodes[node].NodeKey.GetCell();
-      for (unsigned corner = 0; corner < (1U << dim); ++corner)
+      SCOPED_TRACE(isShuffled);
+      if (isShuffled)
       {
-        Cell<dim> expected;
-        for (int axis = 0; axis < dim; ++axis)
-        {
-          // The first axis is the low bit of a corner's place, as in a VTK_VOXEL.
-          expected[axis] = (cell[axis] + (corner >> axis & 1U))
-            << (MortonKey<dim>::MaxDepth - depth);
-        }
-        const auto number = static_cast<std::size_t>(connectivity[(node << dim) + corner]);
-        ASSERT_LT(number, corners.GetNumberOfCorners());
-        ASSERT_EQ(corners.GetCorner(number), expected);
-        distinct.insert(expected);
+        std::shuffle(nodes.GetData(), nodes.GetData() + nodes.GetSize(), random);
       }
+      CheckCorners<dim>(nodes);
     }
-    EXPECT_EQ(corners.GetNumberOfCorners(), distinct.size());
   }
 }
 

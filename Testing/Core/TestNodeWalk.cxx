@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NodeWalk.h"
+
+#include "Dimensions.h"
+#include "NodeList.h"
+#include "SampleTree.h"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+using namespace hashedoctree;
+
+namespace
+{
+template <int Dim>
+using Nodes = Buffer<typename Octree<Dim>::Node>;
+
+/** Walks along the nodes and compares with places that were sorted. */
+template <int Dim>
+void CheckWalk(const Nodes<Dim>& nodes)
+{
+  std::vector<std::size_t> expected(nodes.GetSize());
+  std::iota(expected.begin(), expected.end(), 0);
+  std::stable_sort(expected.begin(), expected.end(),
+    [&nodes](std::size_t a, std::size_t b)
+    { return nodes[a].NodeKey.GetFirstAtMaxDepth() < nodes[b].NodeKey.GetFirstAtMaxDepth(); });
+  NodeWalk<Dim> walk(nodes);
+  for (const std::size_t place : expected)
+  {
+    ASSERT_EQ(walk.Next(), place);
+  }
+}
+}
+
+template <typename Dimension>
+class TestNodeWalk : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestNodeWalk, Dimensions);
+
+TYPED_TEST(TestNodeWalk, FollowsTheCurveWhateverTheOrderOfTheList)
+{
+  constexpr int dim = TypeParam::value;
+  auto samples = MakePointSamples<dim, double>();
+  samples.push_back({ "many", MakeUniformPoints<dim, double>(3000, 123) });
+  std::mt19937 random(124);
+  for (const auto& sample : samples)
+  {
+    SCOPED_TRACE(sample.Name);
+    const SampleTree<dim, double> made(sample);
+    Nodes<dim> nodes = ListNodes(made.Tree, NodeListOptions{ true, true }, Execution());
+    CheckWalk<dim>(nodes);
+    std::reverse(nodes.GetData(), nodes.GetData() + nodes.GetSize());
+    CheckWalk<dim>(nodes);
+    std::shuffle(nodes.GetData(), nodes.GetData() + nodes.GetSize(), random);
+    CheckWalk<dim>(nodes);
+  }
+}
+
+TYPED_TEST(TestNodeWalk, WalksAlongNoNodesAndToTheLastCellOfAll)
+{
+  constexpr int dim = TypeParam::value;
+  using Key = MortonKey<dim>;
+  CheckWalk<dim>(Nodes<dim>());
+  const Key last = Key::Root().GetLastAtMaxDepth();
+  Nodes<dim> nodes(4);
+  std::size_t place = 0;
+  for (const Key key : { last, Key::Root(), last.GetParent(), Key::Root().GetFirstAtMaxDepth() })
+  {
+    nodes[place++] = { key, 0, 0, false };
+  }
+  CheckWalk<dim>(nodes);
+}
