@@ -116,13 +116,24 @@ template <typename Key>
 class RankedPoints::Newcomers
 {
 public:
-  HASHEDOCTREE_INLINE Newcomers(const double* dist2, std::uint64_t chosen)
+  /** Leaves out points that `most` others stand right before, equally near and by id. */
+  HASHEDOCTREE_INLINE Newcomers(
+    const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
   {
-    for (; chosen != 0; chosen &= chosen - 1)
+    std::size_t equalBefore = 0;
+    for (unsigned last = MostPoints; chosen != 0; chosen &= chosen - 1)
     {
-      this->Places[this->Count] = static_cast<std::uint8_t>(__builtin_ctzll(chosen));
-      this->Keys[this->Count] = GetKey<Key>(dist2[this->Places[this->Count]]);
-      ++this->Count;
+      const auto place = static_cast<unsigned>(__builtin_ctzll(chosen));
+      const bool isEqual =
+        last < MostPoints && dist2[last] == dist2[place] && ids[last] < ids[place];
+      equalBefore = isEqual ? equalBefore + 1 : 0;
+      last = place;
+      if (equalBefore < most)
+      {
+        this->Places[this->Count] = static_cast<std::uint8_t>(place);
+        this->Keys[this->Count] = GetKey<Key>(dist2[place]);
+        ++this->Count;
+      }
     }
     std::fill_n(this->Keys + this->Count, Padding, Key(0));
     for (std::size_t i = 0; i < this->Count; i += Padding)
@@ -142,20 +153,28 @@ public:
     }
     return sum != this->Count * (this->Count - 1) / 2;
   }
-  /** Gives equal keys different ranks. */
-  void PartEqualOnes()
+  /** Gives equal keys different ranks, in the order of their places. Returns whether the distances
+   * are equal, too, and stops where they are not. */
+  HASHEDOCTREE_INLINE bool PartEqualOnes(const double* dist2)
   {
-    std::uint64_t taken = 0;
-    for (std::size_t i = 0; i < this->Count; ++i)
+    double dist2OfRank[MostPoints];
+    std::uint8_t taken[MostPoints] = {}; // How many have been given a rank from each one down.
+    for (std::size_t i = this->Count; i-- > 0;)
     {
-      RankOf<Key> rank = this->Ranks[i];
-      while ((taken >> rank & 1U) != 0)
+      const RankOf<Key> last = this->Ranks[i];
+      const double here = dist2[this->Places[i]];
+      if (taken[last] == 0)
       {
-        --rank;
+        dist2OfRank[last] = here;
       }
-      taken |= std::uint64_t(1) << rank;
-      this->Ranks[i] = rank;
+      else if (here != dist2OfRank[last])
+      {
+        return false;
+      }
+      this->Ranks[i] = last - taken[last];
+      ++taken[last];
     }
+    return true;
   }
 
   std::size_t Count = 0;
@@ -210,15 +229,15 @@ HASHEDOCTREE_INLINE void RankedPoints::MergeRanked(
 HASHEDOCTREE_INLINE void RankedPoints::MergeInline(
   const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
 {
-  Newcomers<UpperHalf> added(dist2, chosen);
-  if (!added.HasEqualOnes())
+  Newcomers<UpperHalf> added(dist2, ids, chosen, most);
+  if (!added.HasEqualOnes() || added.PartEqualOnes(dist2))
   {
     this->MergeRanked(added, dist2, ids, most);
     return;
   }
   // As from far away, where the distances to all points are nearly the same.
-  Newcomers<Whole> whole(dist2, chosen);
-  whole.PartEqualOnes();
+  Newcomers<Whole> whole(dist2, ids, chosen, most);
+  whole.PartEqualOnes(dist2);
   this->MergeRanked(whole, dist2, ids, most);
 }
 

@@ -16,8 +16,9 @@ namespace hashedoctree
  *
  * What is counted are the upper halves of the distances, eight at a time where the machine has
  * AVX2. As whole numbers they are in the order of the distances, since none of these is negative.
- * Where two of a leaf are equal, all of the distances is compared; what is still not in order is
- * sorted.
+ * Where they are equal and the distances are not, all of the distances is compared. Equally near
+ * points are left in the order of the leaf, which at one place is that of their ids, and sorted
+ * where need be.
  */
 class RankedPoints
 {

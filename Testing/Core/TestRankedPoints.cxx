@@ -45,8 +45,16 @@ protected:
     }
   }
 
-  /** Leaves of all sizes with some of their points, against sorting these. */
+  /** Leaves of all sizes with some of their points, against sorting these; ids in no order, and, as
+   * of points at one place, growing in each leaf. */
   static void ExpectSorted(const std::function<double(unsigned)>& makeDist2)
+  {
+    ExpectSorted(makeDist2, [](unsigned random, std::size_t) { return random; });
+    ExpectSorted(
+      makeDist2, [](unsigned, std::size_t place) { return 1000U + static_cast<unsigned>(place); });
+  }
+  static void ExpectSorted(const std::function<double(unsigned)>& makeDist2,
+    const std::function<PointIndex(unsigned, std::size_t)>& makeId)
   {
     std::mt19937 random(711);
     for (std::size_t most = 1; most <= Most; ++most)
@@ -62,7 +70,7 @@ protected:
         for (std::size_t i = 0; i < leaf.size(); ++i)
         {
           leaf[i] = { makeDist2(static_cast<unsigned>(random())),
-            static_cast<PointIndex>(random()) };
+            makeId(static_cast<unsigned>(random()), i) };
           if (random() % 3 != 0)
           {
             chosen |= std::uint64_t(1) << i;
@@ -93,6 +101,7 @@ TEST_P(TestRankedPoints, WhoseUpperHalvesAreEqual)
 {
   ExpectSorted([](unsigned random) { return 1.0 + 1e-15 * random; });
   ExpectSorted([](unsigned random) { return 1e-320 * random; });
+  ExpectSorted([](unsigned random) { return 1.0 + 1e-15 * (random % 9); });
 }
 
 TEST_P(TestRankedPoints, AtTheSameDistance)
