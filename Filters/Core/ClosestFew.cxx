@@ -97,11 +97,21 @@ struct Row
       _mm256_storeu_pd(reinterpret_cast<double*>(ids + 4 * half), this->Ids[half]);
     }
   }
-  HASHEDOCTREE_WITH_AVX2 bool Holds(__m256d dist2) const
+  /** Bit i: whether the distance in place i is equal to this one. */
+  HASHEDOCTREE_WITH_AVX2 unsigned GetEqual(__m256d dist2) const
   {
-    const __m256d same = _mm256_or_pd(_mm256_cmp_pd(this->Dist2[0], dist2, _CMP_EQ_OQ),
-      _mm256_cmp_pd(this->Dist2[1], dist2, _CMP_EQ_OQ));
-    return _mm256_movemask_pd(same) != 0;
+    const int low = _mm256_movemask_pd(_mm256_cmp_pd(this->Dist2[0], dist2, _CMP_EQ_OQ));
+    const int high = _mm256_movemask_pd(_mm256_cmp_pd(this->Dist2[1], dist2, _CMP_EQ_OQ));
+    return static_cast<unsigned>(low | high << 4);
+  }
+  /** Whether the last of some places, one at least, has a smaller id; not where it has none. */
+  HASHEDOCTREE_WITH_AVX2 bool IsLastBefore(unsigned places, PointIndex id) const
+  {
+    double dist2[ClosestFew::MostInRegisters];
+    const PointIndex* ids[ClosestFew::MostInRegisters];
+    this->Store(dist2, ids);
+    const PointIndex* last = ids[HighestBit(places)];
+    return last != nullptr && *last < id;
   }
   /** The one before each: `first`, and then all but the last. */
   HASHEDOCTREE_WITH_AVX2 static void Shift(const __m256d* values, __m256d first, __m256d* before)
@@ -112,8 +122,7 @@ struct Row
     before[1] = _mm256_blend_pd(
       _mm256_permute4x64_pd(values[1], up), _mm256_permute4x64_pd(values[0], turned), 1);
   }
-  /** A distance that none of them equals. What is farther moves on by one place, the last is
-   * lost. */
+  /** Behind all that are as near. What is farther moves on by one place, the last is lost. */
   HASHEDOCTREE_WITH_AVX2 void Insert(__m256d dist2, __m256d id)
   {
     __m256d dist2Before[2];
@@ -143,7 +152,8 @@ HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddInRegisters(
   {
     const auto place = static_cast<unsigned>(__builtin_ctzll(places));
     const __m256d here = _mm256_broadcast_sd(dist2 + place);
-    if (row.Holds(here))
+    const unsigned equal = row.GetEqual(here);
+    if (equal != 0 && !row.IsLastBefore(equal, ids[place]))
     {
       row.Store(this->Kept.Dist2, this->Kept.Ids);
       this->Kept.MergeWithVectors(dist2, ids, places, MostInRegisters);

@@ -34,6 +34,7 @@ public:
   static bool HasVectors();
 
   double GetBound2() const { return this->Bound2; }
+  std::size_t GetMostAtOnePlace() const { return this->Wanted; }
 
   /** `ids` must stay as they are until CopyTo(); `dist2` is what DistanceKernels::ToPoints() has
    * written, of at most 64 points. */

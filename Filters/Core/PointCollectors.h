@@ -5,6 +5,7 @@
 #include "PointSearch.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace hashedoctree
 {
@@ -12,10 +13,13 @@ namespace hashedoctree
 // - GetBound2(): the squared radius beyond which points are of no use to it, now;
 // - Add(dist2, least, ids, count): takes points of a leaf, their squared distances and the least of
 //   these;
+// - GetMostAtOnePlace(): of points at one place, taken by id, how many of the first are of use;
 // - HasFixedBall: whether the bound never changes;
 // - TakesWholeNodes: whether it also has
 // - AddAll(ids, count): takes points that are known to be within. Only with a fixed ball.
 // Private to PointSearch.cxx.
+
+constexpr std::size_t AllPoints = std::numeric_limits<std::size_t>::max();
 
 /** The closest point so far. */
 class ClosestOne
@@ -31,6 +35,7 @@ public:
   {
   }
   double GetBound2() const { return this->Dist2; }
+  std::size_t GetMostAtOnePlace() const { return 1; }
   void Add(const double* dist2, double least, const PointIndex* ids, std::size_t count)
   {
     // Ids are far away in memory, and looked at only where distances are equal.
@@ -72,6 +77,7 @@ public:
   {
   }
   double GetBound2() const { return this->Bound2; }
+  std::size_t GetMostAtOnePlace() const { return this->Wanted; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -122,6 +128,7 @@ public:
   {
   }
   double GetBound2() const { return this->Radius2; }
+  std::size_t GetMostAtOnePlace() const { return AllPoints; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -151,6 +158,7 @@ public:
   {
   }
   double GetBound2() const { return this->Radius2; }
+  std::size_t GetMostAtOnePlace() const { return AllPoints; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     const std::size_t before = this->Found.size();

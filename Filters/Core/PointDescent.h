@@ -63,17 +63,24 @@ public:
   /** Searches a leaf, given where its points begin and end. */
   void ScanLeaf(PointIndex first, PointIndex last)
   {
-    const std::size_t size = last - first;
+    const std::size_t stride = last - first;
+    std::size_t size = stride;
     if (first == this->ScannedPoint || size == 0)
     {
       return;
     }
-    if (size > this->Tree.GetOctree().GetOptions().MaxPointsPerLeaf)
+    const auto& options = this->Tree.GetOctree().GetOptions();
+    if (size > options.MaxPointsPerLeaf)
     {
       if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
       {
         SearchPoints<Dim, Real>(*nested, this->X, this->Points, this->Examined, 1);
         return;
+      }
+      if (options.MaxDepth == Key::MaxDepth)
+      {
+        // Without a tree of their own, all are at one place.
+        size = std::min(size, this->Points.GetMostAtOnePlace());
       }
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
@@ -84,7 +91,7 @@ public:
       const std::size_t count =
         std::min<std::size_t>(DistanceKernels<Dim, Real>::MostPoints, size - done);
       const double least =
-        this->Tree.GetKernels().ToPoints(coordinates + done, size, count, this->X.data(), dist2);
+        this->Tree.GetKernels().ToPoints(coordinates + done, stride, count, this->X.data(), dist2);
       if (least <= this->Points.GetBound2())
       {
         this->Points.Add(dist2, least, ids + done, count);

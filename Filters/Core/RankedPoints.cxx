@@ -4,6 +4,7 @@
 #include "Lanes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -79,35 +80,85 @@ HASHEDOCTREE_INLINE void AddToRanks(RankOf<Key>* ranks, const Key* keys, std::si
   }
 }
 
-/** Whether each of the distances is less than the next one. Writes beyond the last. */
+/** Whether each of the distances is before the next one. Writes beyond the last. */
+template <Before Which>
 HASHEDOCTREE_INLINE bool IsInOrder(double* dist2, std::size_t count)
 {
   constexpr std::size_t width = 4;
   std::fill_n(dist2 + count, width, std::numeric_limits<double>::quiet_NaN());
-  Lanes<std::int64_t, width> isNotLess{};
+  Lanes<std::int64_t, width> isNot{};
   for (std::size_t i = 0; i + 1 < count; i += width)
   {
     Lanes<double, width> here, next;
     Load(here, dist2 + i);
     Load(next, dist2 + i + 1);
-    isNotLess |= here >= next;
+    isNot |= Which == Before::Less ? here >= next : here > next;
   }
-  return (isNotLess[0] | isNotLess[1] | isNotLess[2] | isNotLess[3]) == 0;
+  return (isNot[0] | isNot[1] | isNot[2] | isNot[3]) == 0;
 }
 
-/** Sorts what is nearly in order. */
-void PutInOrder(double* dist2, const PointIndex** ids, std::size_t count)
+constexpr std::size_t RankPadding = 16; // AddToRanks() works beyond the last.
+constexpr std::size_t MostMerged = 2 * RankedPoints::MostPoints;
+
+/** Puts ids in order, given where they are; no two are equal. */
+HASHEDOCTREE_INLINE void SortById(const PointIndex** ids, std::size_t count)
 {
-  for (std::size_t i = 1; i < count; ++i)
+  if (std::is_sorted(
+        ids, ids + count, [](const PointIndex* a, const PointIndex* b) { return *a < *b; }))
   {
-    for (std::size_t j = i;
-         j > 0 && (dist2[j] < dist2[j - 1] || (dist2[j] == dist2[j - 1] && *ids[j] < *ids[j - 1]));
-         --j)
+    return;
+  }
+  std::array<const PointIndex*, MostMerged> unsorted;
+  std::array<PointIndex, MostMerged + RankPadding> keys;
+  std::array<RankOf<PointIndex>, MostMerged + RankPadding> ranks;
+  std::copy_n(ids, count, unsorted.begin());
+  std::transform(ids, ids + count, keys.begin(), [](const PointIndex* id) { return *id; });
+  std::fill_n(keys.begin() + count, RankPadding, PointIndex(0));
+  std::fill_n(ranks.begin(), count + RankPadding, 0);
+  AddToRanks<Before::Less>(ranks.data(), keys.data(), count, keys.data(), count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    ids[ranks[i]] = unsorted[i];
+  }
+}
+
+/** Sorts what is nearly in the order of the distances, as far as the first `most`. */
+HASHEDOCTREE_INLINE void PutInOrderInline(
+  double* dist2, const PointIndex** ids, std::size_t count, std::size_t most)
+{
+  const std::size_t unsorted = IsInOrder<Before::NotGreater>(dist2, count) ? 0 : count;
+  for (std::size_t i = 1; i < unsorted; ++i)
+  {
+    for (std::size_t j = i; j > 0 && dist2[j] < dist2[j - 1]; --j)
     {
       std::swap(dist2[j], dist2[j - 1]);
       std::swap(ids[j], ids[j - 1]);
     }
   }
+  for (std::size_t first = 0; first < std::min(count, most);)
+  {
+    std::size_t last = first + 1;
+    while (last < count && dist2[last] == dist2[first])
+    {
+      ++last;
+    }
+    if (last - first > 1)
+    {
+      SortById(ids + first, last - first);
+    }
+    first = last;
+  }
+}
+
+// Rarely needed, and then calls are short beside the sorting.
+void PutInOrder(double* dist2, const PointIndex** ids, std::size_t count, std::size_t most)
+{
+  PutInOrderInline(dist2, ids, count, most);
+}
+HASHEDOCTREE_WITH_AVX2 void PutInOrderWithVectors(
+  double* dist2, const PointIndex** ids, std::size_t count, std::size_t most)
+{
+  PutInOrderInline(dist2, ids, count, most);
 }
 }
 
@@ -116,22 +167,28 @@ template <typename Key>
 class RankedPoints::Newcomers
 {
 public:
-  /** Leaves out points that `most` others stand right before, equally near and by id. */
-  HASHEDOCTREE_INLINE Newcomers(
-    const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
+  /** Leaves out points that come after all that are kept, no more being wanted, and those that
+   * `most` others stand right before, equally near and by id. */
+  HASHEDOCTREE_INLINE Newcomers(const double* dist2, const PointIndex* ids, std::uint64_t chosen,
+    std::size_t most, const RankedPoints& kept)
   {
+    constexpr double none = -1.0;
+    const double latest = kept.Size >= most ? kept.Dist2[most - 1] : none;
+    double before = none;
+    const PointIndex* idBefore = nullptr;
     std::size_t equalBefore = 0;
-    for (unsigned last = MostPoints; chosen != 0; chosen &= chosen - 1)
+    for (; chosen != 0; chosen &= chosen - 1)
     {
       const auto place = static_cast<unsigned>(__builtin_ctzll(chosen));
-      const bool isEqual =
-        last < MostPoints && dist2[last] == dist2[place] && ids[last] < ids[place];
-      equalBefore = isEqual ? equalBefore + 1 : 0;
-      last = place;
-      if (equalBefore < most)
+      const double here = dist2[place];
+      const PointIndex* id = ids + place;
+      equalBefore = here == before && *idBefore < *id ? equalBefore + 1 : 0;
+      before = here;
+      idBefore = id;
+      if (equalBefore < most && !(here == latest && *kept.Ids[most - 1] < *id))
       {
         this->Places[this->Count] = static_cast<std::uint8_t>(place);
-        this->Keys[this->Count] = GetKey<Key>(dist2[place]);
+        this->Keys[this->Count] = GetKey<Key>(here);
         ++this->Count;
       }
     }
@@ -184,8 +241,8 @@ public:
 };
 
 template <typename Key>
-HASHEDOCTREE_INLINE void RankedPoints::MergeRanked(
-  Newcomers<Key>& added, const double* dist2, const PointIndex* ids, std::size_t most)
+HASHEDOCTREE_INLINE void RankedPoints::MergeRanked(Newcomers<Key>& added, const double* dist2,
+  const PointIndex* ids, std::size_t most, Sort putInOrder)
 {
   const bool isFirst = this->Dist2 == this->Dist2Lists[0];
   double* mergedDist2 = this->Dist2Lists[isFirst ? 1 : 0];
@@ -217,39 +274,46 @@ HASHEDOCTREE_INLINE void RankedPoints::MergeRanked(
     mergedIds[added.Ranks[i]] = ids + added.Places[i];
   }
   const std::size_t count = this->Size + added.Count;
-  if (!IsInOrder(mergedDist2, count))
+  if (!IsInOrder<Before::Less>(mergedDist2, count))
   {
-    PutInOrder(mergedDist2, mergedIds, count);
+    putInOrder(mergedDist2, mergedIds, count, most);
   }
   this->Dist2 = mergedDist2;
   this->Ids = mergedIds;
   this->Size = std::min(count, most);
 }
 
-HASHEDOCTREE_INLINE void RankedPoints::MergeInline(
-  const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
+HASHEDOCTREE_INLINE void RankedPoints::MergeInline(const double* dist2, const PointIndex* ids,
+  std::uint64_t chosen, std::size_t most, Sort putInOrder)
 {
-  Newcomers<UpperHalf> added(dist2, ids, chosen, most);
+  Newcomers<UpperHalf> added(dist2, ids, chosen, most, *this);
+  if (added.Count == 0)
+  {
+    return;
+  }
   if (!added.HasEqualOnes() || added.PartEqualOnes(dist2))
   {
-    this->MergeRanked(added, dist2, ids, most);
+    this->MergeRanked(added, dist2, ids, most, putInOrder);
     return;
   }
   // As from far away, where the distances to all points are nearly the same.
-  Newcomers<Whole> whole(dist2, ids, chosen, most);
-  whole.PartEqualOnes(dist2);
-  this->MergeRanked(whole, dist2, ids, most);
+  Newcomers<Whole> whole(dist2, ids, chosen, most, *this);
+  if (whole.HasEqualOnes())
+  {
+    whole.PartEqualOnes(dist2);
+  }
+  this->MergeRanked(whole, dist2, ids, most, putInOrder);
 }
 
 void RankedPoints::Merge(
   const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
 {
-  this->MergeInline(dist2, ids, chosen, most);
+  this->MergeInline(dist2, ids, chosen, most, PutInOrder);
 }
 
 HASHEDOCTREE_WITH_AVX2 void RankedPoints::MergeWithVectors(
   const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most)
 {
-  this->MergeInline(dist2, ids, chosen, most);
+  this->MergeInline(dist2, ids, chosen, most, PutInOrderWithVectors);
 }
 }

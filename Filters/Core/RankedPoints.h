@@ -45,11 +45,13 @@ private:
   class Newcomers;
   static constexpr std::size_t Padding = 16; ///< Vectors read and write beyond the last.
 
+  /** Puts points in order as far as the first `most`. */
+  using Sort = void (*)(double* dist2, const PointIndex** ids, std::size_t count, std::size_t most);
   template <typename Key>
-  void MergeRanked(
-    Newcomers<Key>& added, const double* dist2, const PointIndex* ids, std::size_t most);
-  void MergeInline(
-    const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most);
+  void MergeRanked(Newcomers<Key>& added, const double* dist2, const PointIndex* ids,
+    std::size_t most, Sort putInOrder);
+  void MergeInline(const double* dist2, const PointIndex* ids, std::uint64_t chosen,
+    std::size_t most, Sort putInOrder);
 
   double Dist2Lists[2][2 * MostPoints + Padding]; ///< One is read while the other is written.
   const PointIndex* IdLists[2][2 * MostPoints + Padding];

@@ -4,6 +4,7 @@
 #include "LocatorTerrain.h"
 #include "PointSamples.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -124,6 +125,30 @@ std::vector<float> MakeOutlier(std::size_t count, unsigned seed)
   return coordinates;
 }
 
+/** A sphere whose points stand there six times each, as the corners of triangles that share none.
+ */
+std::vector<float> MakeDuplicates(std::size_t count, unsigned seed)
+{
+  constexpr std::size_t copies = 6;
+  const std::size_t places = (count + copies - 1) / copies;
+  const std::vector<float> sphere = MakeSpherePoints<3, float>(places, seed);
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    order[i] = i % places;
+  }
+  Random random(seed);
+  std::shuffle(order.begin(), order.end(), random);
+  std::vector<float> coordinates;
+  coordinates.reserve(3 * count);
+  for (const std::size_t place : order)
+  {
+    coordinates.insert(
+      coordinates.end(), sphere.begin() + 3 * place, sphere.begin() + 3 * (place + 1));
+  }
+  return coordinates;
+}
+
 std::vector<float> MakeCoordinates(
   const std::string& name, std::size_t count, const std::string& terrainPath)
 {
@@ -144,14 +169,18 @@ std::vector<float> MakeCoordinates(
   {
     return MakeClusters(count, seed);
   }
-  return name == "filaments" ? MakeFilaments(count, seed) : MakeOutlier(count, seed);
+  if (name == "filaments")
+  {
+    return MakeFilaments(count, seed);
+  }
+  return name == "duplicates" ? MakeDuplicates(count, seed) : MakeOutlier(count, seed);
 }
 }
 
 const std::vector<std::string>& GetSampleNames()
 {
   static const std::vector<std::string> names{ "terrain", "cube", "sphere", "clusters", "filaments",
-    "outlier" };
+    "duplicates", "outlier" };
   return names;
 }
 

@@ -39,12 +39,14 @@ protected:
   }
 
   template <typename Real>
-  void ExpectAsBruteForce(const PointSample<Dim, Real>& sample, std::size_t bucket, int queries)
+  void ExpectAsBruteForce(const PointSample<Dim, Real>& sample, std::size_t bucket, int queries,
+    int maxDepth = MortonKey<Dim>::MaxDepth)
   {
-    SCOPED_TRACE(sample.Name + ", " + std::to_string(bucket) + " points per leaf");
+    SCOPED_TRACE(sample.Name + ", " + std::to_string(bucket) + " points per leaf, to depth " +
+      std::to_string(maxDepth));
     const auto points = sample.GetSpan();
     const PointSelection<Dim> selection(points, {}, Execution());
-    PointTree<Dim, Real> tree(points, selection, { bucket, MortonKey<Dim>::MaxDepth }, Execution());
+    PointTree<Dim, Real> tree(points, selection, { bucket, maxDepth }, Execution());
     const BruteForceSearch<Dim, Real> oracle(points);
     for (int query = 0; query < queries; ++query)
     {
@@ -166,6 +168,34 @@ TYPED_TEST(TestPointSearch, FindsAmongMany)
     PointSample<dim, double>{ "clusters", MakeClusteredPoints<dim, double>(20000, 154) }, 16, 40);
 }
 
+namespace
+{
+/** Heaps of points at one place each, whose ids are mixed, among others. */
+template <int Dim>
+PointSample<Dim, float> MakeHeaps()
+{
+  PointSample<Dim, float> sample{ "heaps", MakeUniformPoints<Dim, float>(1000, 159) };
+  std::mt19937 random(160);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const std::size_t heap = Dim * (random() % 4);
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+    {
+      sample.Coordinates.push_back(sample.Coordinates[heap + axis]);
+    }
+  }
+  return sample;
+}
+}
+
+TYPED_TEST(TestPointSearch, FindsAmongManyAtOnePlace)
+{
+  constexpr int dim = TestFixture::Dim;
+  this->ExpectAsBruteForce(MakeHeaps<dim>(), 16, 60);
+  // Leaves that are large though their points are not at one place.
+  this->ExpectAsBruteForce(MakeHeaps<dim>(), 16, 60, 2);
+}
+
 TEST(TestPointSearchFacts, NoPositionIsSlowBesideADenseSpot)
 {
   // From afar all points of the spot are equally close to a float, and all but one to the eye.
@@ -198,20 +228,25 @@ TEST(TestPointSearchFacts, NoPositionIsSlowBesideADenseSpot)
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
 {
   // Beyond the number that is kept in order all the time.
-  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(5000, 156) };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 16, 21 }, Execution());
-  const PointSearch<3, float> search(tree);
-  const Position<3> x{ 0.1, 0.9, 0.4 };
-  const std::vector<OracleFound> all = BruteForceSearch<3, float>(sample.GetSpan()).FindAll(x);
-  for (const std::size_t count : { 64U, 65U, 700U, 4999U, 5000U, 9000U })
+  for (const auto& sample :
+    { PointSample<3, float>{ "uniform", MakeUniformPoints<3, float>(5000, 156) }, MakeHeaps<3>() })
   {
-    std::vector<FoundPoint> found;
-    search.FindClosest(x, count, found);
-    ASSERT_EQ(found.size(), std::min<std::size_t>(count, 5000));
-    for (std::size_t i = 0; i < found.size(); ++i)
+    SCOPED_TRACE(sample.Name);
+    const auto points = sample.GetSpan();
+    const PointSelection<3> selection(points, {}, Execution());
+    const PointTree<3, float> tree(points, selection, { 16, 21 }, Execution());
+    const PointSearch<3, float> search(tree);
+    const Position<3> x{ points[0][0] + 1e-3, points[0][1], points[0][2] };
+    const std::vector<OracleFound> all = BruteForceSearch<3, float>(points).FindAll(x);
+    for (const std::size_t count : { 64U, 65U, 70U, 700U, 4999U, 5000U, 9000U })
     {
-      ASSERT_EQ(found[i].Id, all[i].Id);
+      std::vector<FoundPoint> found;
+      search.FindClosest(x, count, found);
+      ASSERT_EQ(found.size(), std::min(count, points.Count));
+      for (std::size_t i = 0; i < found.size(); ++i)
+      {
+        ASSERT_EQ(found[i].Id, all[i].Id);
+      }
     }
   }
 }

@@ -54,7 +54,7 @@ protected:
       makeDist2, [](unsigned, std::size_t place) { return 1000U + static_cast<unsigned>(place); });
   }
   static void ExpectSorted(const std::function<double(unsigned)>& makeDist2,
-    const std::function<PointIndex(unsigned, std::size_t)>& makeId)
+    const std::function<PointIndex(unsigned, unsigned)>& makeId)
   {
     std::mt19937 random(711);
     for (std::size_t most = 1; most <= Most; ++most)
@@ -70,7 +70,7 @@ protected:
         for (std::size_t i = 0; i < leaf.size(); ++i)
         {
           leaf[i] = { makeDist2(static_cast<unsigned>(random())),
-            makeId(static_cast<unsigned>(random()), i) };
+            makeId(static_cast<unsigned>(random()), static_cast<unsigned>(ids.size() + i)) };
           if (random() % 3 != 0)
           {
             chosen |= std::uint64_t(1) << i;
