@@ -68,12 +68,26 @@ HASHEDOCTREE_INLINE void AddToRanks(RankOf<Key>* ranks, const Key* keys, std::si
     Load(b, keys + i + width);
     Load(rankOfA, ranks + i);
     Load(rankOfB, ranks + i + width);
+    if constexpr (Which == Before::NotGreater)
+    {
+      // All but the greater, since for "not greater" AVX2 has no instruction.
+      rankOfA += static_cast<RankOf<Key>>(numberOfOthers);
+      rankOfB += static_cast<RankOf<Key>>(numberOfOthers);
+    }
     for (std::size_t j = 0; j < numberOfOthers; ++j)
     {
       const Keys other = Keys{} + others[j];
       // What is true is -1 in all lanes.
-      rankOfA -= Which == Before::Less ? other < a : other <= a;
-      rankOfB -= Which == Before::Less ? other < b : other <= b;
+      if constexpr (Which == Before::Less)
+      {
+        rankOfA -= other < a;
+        rankOfB -= other < b;
+      }
+      else
+      {
+        rankOfA += other > a;
+        rankOfB += other > b;
+      }
     }
     Store(rankOfA, ranks + i);
     Store(rankOfB, ranks + i + width);
