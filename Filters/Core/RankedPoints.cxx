@@ -111,8 +111,8 @@ HASHEDOCTREE_INLINE bool IsInOrder(double* dist2, std::size_t count)
   return (isNot[0] | isNot[1] | isNot[2] | isNot[3]) == 0;
 }
 
-constexpr std::size_t RankPadding = 16; // AddToRanks() works beyond the last.
 constexpr std::size_t MostMerged = 2 * RankedPoints::MostPoints;
+constexpr std::size_t Padding = RankedPoints::Padding;
 
 /** Puts ids in order, given where they are; no two are equal. */
 HASHEDOCTREE_INLINE void SortById(const PointIndex** ids, std::size_t count)
@@ -123,12 +123,12 @@ HASHEDOCTREE_INLINE void SortById(const PointIndex** ids, std::size_t count)
     return;
   }
   std::array<const PointIndex*, MostMerged> unsorted;
-  std::array<PointIndex, MostMerged + RankPadding> keys;
-  std::array<RankOf<PointIndex>, MostMerged + RankPadding> ranks;
+  std::array<PointIndex, MostMerged + Padding> keys;
+  std::array<RankOf<PointIndex>, MostMerged + Padding> ranks;
   std::copy_n(ids, count, unsorted.begin());
   std::transform(ids, ids + count, keys.begin(), [](const PointIndex* id) { return *id; });
-  std::fill_n(keys.begin() + count, RankPadding, PointIndex(0));
-  std::fill_n(ranks.begin(), count + RankPadding, 0);
+  std::fill_n(keys.begin() + count, Padding, PointIndex(0));
+  std::fill_n(ranks.begin(), count + Padding, 0);
   AddToRanks<Before::Less>(ranks.data(), keys.data(), count, keys.data(), count);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -164,7 +164,7 @@ HASHEDOCTREE_INLINE void PutInOrderInline(
   }
 }
 
-// Rarely needed, and then calls are short beside the sorting.
+// Two functions, since what is rarely needed slows down what it would stand among.
 void PutInOrder(double* dist2, const PointIndex** ids, std::size_t count, std::size_t most)
 {
   PutInOrderInline(dist2, ids, count, most);

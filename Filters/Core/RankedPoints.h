@@ -24,6 +24,7 @@ class RankedPoints
 {
 public:
   static constexpr std::size_t MostPoints = 64; ///< That are kept, and that are added at a time.
+  static constexpr std::size_t Padding = 16;    ///< Vectors read and write beyond the last.
 
   RankedPoints() = default;
   RankedPoints(const RankedPoints&) = delete;
@@ -43,8 +44,6 @@ public:
 private:
   template <typename Key>
   class Newcomers;
-  static constexpr std::size_t Padding = 16; ///< Vectors read and write beyond the last.
-
   /** Puts points in order as far as the first `most`. */
   using Sort = void (*)(double* dist2, const PointIndex** ids, std::size_t count, std::size_t most);
   template <typename Key>
