@@ -13,13 +13,11 @@ namespace hashedoctree
 // - GetBound2(): the squared radius beyond which points are of no use to it, now;
 // - Add(dist2, least, ids, count): takes points of a leaf, their squared distances and the least of
 //   these;
+// - HasFixedBall: whether the bound never changes; if it does, it also has
 // - GetMostAtOnePlace(): of points at one place, taken by id, how many of the first are of use;
-// - HasFixedBall: whether the bound never changes;
 // - TakesWholeNodes: whether it also has
 // - AddAll(ids, count): takes points that are known to be within. Only with a fixed ball.
 // Private to PointSearch.cxx.
-
-constexpr std::size_t AllPoints = std::numeric_limits<std::size_t>::max();
 
 /** The closest point so far. */
 class ClosestOne
@@ -128,7 +126,6 @@ public:
   {
   }
   double GetBound2() const { return this->Radius2; }
-  std::size_t GetMostAtOnePlace() const { return AllPoints; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -158,7 +155,6 @@ public:
   {
   }
   double GetBound2() const { return this->Radius2; }
-  std::size_t GetMostAtOnePlace() const { return AllPoints; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     const std::size_t before = this->Found.size();

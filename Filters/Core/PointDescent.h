@@ -69,18 +69,17 @@ public:
     {
       return;
     }
-    const auto& options = this->Tree.GetOctree().GetOptions();
-    if (size > options.MaxPointsPerLeaf)
+    if (size > this->Tree.GetOctree().GetOptions().MaxPointsPerLeaf)
     {
       if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
       {
         SearchPoints<Dim, Real>(*nested, this->X, this->Points, this->Examined, 1);
         return;
       }
-      if (options.MaxDepth == Key::MaxDepth)
+      if constexpr (!Collector::HasFixedBall)
       {
-        // Without a tree of their own, all are at one place.
-        size = std::min(size, this->Points.GetMostAtOnePlace());
+        size =
+          this->Tree.PartsAllPlaces() ? std::min(size, this->Points.GetMostAtOnePlace()) : size;
       }
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);

@@ -216,8 +216,7 @@ template <int Dim, typename Real>
 void PointTree<Dim, Real>::BuildNested(PointSpan<Dim, Real> points, const Execution& execution)
 {
   const Options& options = this->Tree.GetOptions();
-  if (options.MaxDepth < MortonKey<Dim>::MaxDepth ||
-    this->Tree.GetDeepestDepth() < MortonKey<Dim>::MaxDepth)
+  if (!this->PartsAllPlaces() || this->Tree.GetDeepestDepth() < MortonKey<Dim>::MaxDepth)
   {
     return;
   }

@@ -70,6 +70,12 @@ public:
   /** The first block from a block down that is no link. */
   std::uint32_t GetFork(std::size_t block) const { return this->Forks[block]; }
 
+  /** Whether points at different places are parted however near they are: then a leaf of more
+   * points than a bucket has a nested tree, or all of them are at one place, by id. */
+  bool PartsAllPlaces() const
+  {
+    return this->Tree.GetOptions().MaxDepth == MortonKey<Dim>::MaxDepth;
+  }
   /** The nested tree of a leaf, given where its range begins, or null. O(log nested trees). */
   const PointTree* FindNested(PointIndex firstPoint) const;
 

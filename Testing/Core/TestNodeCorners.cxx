@@ -72,7 +72,7 @@ TYPED_TEST(TestNodeCorners, CornersAreWhereTheyShouldBeAndShared)
   }
 }
 
-TEST(TestNodeCornersFacts, GrowsWhenFewCornersAreShared)
+TEST(TestNodeCornersFacts, ReportsProgressWhenFewCornersAreShared)
 {
   // Leaves far apart share nothing, so that the corners are eight times the nodes.
   PointSample<3, double> sample{ "apart", {} };
@@ -103,7 +103,7 @@ TEST(TestNodeCornersFacts, GrowsWhenFewCornersAreShared)
   const NodeCorners<3> corners(nodes, connectivity.data(), execution);
   EXPECT_GT(corners.GetNumberOfCorners(), 4 * nodes.GetSize());
 
-  // More looks than from one batch of nodes to the next: each time that something grows, too.
+  // More looks than from one batch of nodes to the next: each time that a shard is full, too.
   EXPECT_TRUE(std::is_sorted(looks.begin(), looks.end()));
   EXPECT_GT(looks.size(), 1000U);
   for (const std::size_t last : { std::size_t(1), looks.size() / 2, looks.size() })

@@ -12,7 +12,6 @@ using namespace hashedoctree;
 
 TEST(TestOpenCorners, KeepsTheNumbersOfTheOpenOnesAndForgetsMostOthers)
 {
-  // The lower corners of the leaves of a quadtree, and the ends of its sides.
   const SampleTree<2, double> made({ "many", MakeUniformPoints<2, double>(100000, 128) });
   const auto nodes = ListNodes(made.Tree, NodeListOptions{ true, false }, Execution());
   NodeWalk<2> walk(nodes);

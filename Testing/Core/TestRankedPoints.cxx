@@ -49,9 +49,8 @@ protected:
    * of points at one place, growing in each leaf. */
   static void ExpectSorted(const std::function<double(unsigned)>& makeDist2)
   {
-    ExpectSorted(makeDist2, [](unsigned random, std::size_t) { return random; });
-    ExpectSorted(
-      makeDist2, [](unsigned, std::size_t place) { return 1000U + static_cast<unsigned>(place); });
+    ExpectSorted(makeDist2, [](unsigned random, unsigned) { return random; });
+    ExpectSorted(makeDist2, [](unsigned, unsigned number) { return number; });
   }
   static void ExpectSorted(const std::function<double(unsigned)>& makeDist2,
     const std::function<PointIndex(unsigned, unsigned)>& makeId)
