@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <optional>
 
 namespace hashedoctree
 {
@@ -38,15 +39,76 @@ void PrefetchBelow(const Octree<Dim>& tree, std::size_t block)
   }
 }
 
+/**
+ * Counts the nodes that searches for a leaf examine, from all start depths together. A search that
+ * comes to a node goes on like the one that starts there: so each node on the way is looked up
+ * once, and those above two leaves only for the first.
+ */
 template <int Dim>
-void AddLeaf(const Octree<Dim>& tree, const typename Octree<Dim>::Node& leaf, Part<Dim>& part)
+class LeafSearches
 {
-  const MortonKey<Dim> key = leaf.NodeKey.GetFirstAtMaxDepth();
-  for (int startDepth = 0; startDepth <= tree.GetDeepestDepth(); ++startDepth)
+public:
+  using Counts = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
+
+  explicit LeafSearches(const Octree<Dim>& tree)
+    : Tree(tree)
   {
-    const std::uint64_t nodes = CountExaminedNodes(tree, key, startDepth);
-    part.Leaves[static_cast<std::size_t>(startDepth)] += nodes;
-    part.Points[static_cast<std::size_t>(startDepth)] += nodes * leaf.GetNumberOfPoints();
+  }
+
+  /** The leaf that a key of MaxDepth lies in. How many nodes, at index start depth. */
+  Counts Count(MortonKey<Dim> key)
+  {
+    this->GoTo(key);
+    const auto deepest = static_cast<std::size_t>(this->Tree.GetDeepestDepth());
+    Counts nodes{};
+    for (std::size_t depth = 0; depth <= deepest; ++depth)
+    {
+      nodes[depth] = this->Cases[depth] == SearchCase::Up ? nodes[depth - 1] + 1 : 1;
+    }
+    for (std::size_t depth = deepest; depth-- > 0;)
+    {
+      nodes[depth] = this->Cases[depth] == SearchCase::Down ? nodes[depth + 1] + 1 : nodes[depth];
+    }
+    return nodes;
+  }
+
+private:
+  void GoTo(MortonKey<Dim> key)
+  {
+    int depth = this->Last ? MortonKey<Dim>::GetCommonDepth(*this->Last, key) + 1 : 0;
+    for (; depth <= this->Tree.GetDeepestDepth(); ++depth)
+    {
+      this->Cases[static_cast<std::size_t>(depth)] = this->Examine(key.AtDepth(depth));
+    }
+    this->Last = key;
+  }
+
+  /** How a search goes on from a node, by what the table tells of its parent. */
+  SearchCase Examine(MortonKey<Dim> node) const
+  {
+    if (node == MortonKey<Dim>::Root())
+    {
+      return this->Tree.IsRootInternal() ? SearchCase::Down : SearchCase::Hit;
+    }
+    const auto* parent = this->Tree.GetTable().Find(node.GetParent().GetValue());
+    return parent == nullptr                             ? SearchCase::Up
+      : (parent->Internal >> node.GetOctant() & 1U) != 0 ? SearchCase::Down
+                                                         : SearchCase::Hit;
+  }
+
+  const Octree<Dim>& Tree;
+  std::optional<MortonKey<Dim>> Last;
+  std::array<SearchCase, MortonKey<Dim>::MaxDepth + 1> Cases{}; ///< On the way to the last leaf.
+};
+
+template <int Dim>
+void AddLeaf(LeafSearches<Dim>& searches, const typename Octree<Dim>::Node& leaf, Part<Dim>& part)
+{
+  const auto nodes = searches.Count(leaf.NodeKey.GetFirstAtMaxDepth());
+  for (std::size_t startDepth = 0; startDepth < nodes.size(); ++startDepth)
+  {
+    part.Leaves[startDepth] += nodes[startDepth];
+    part.Points[startDepth] += nodes[startDepth] * leaf.GetNumberOfPoints();
   }
 }
 
@@ -70,13 +132,15 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
   if (!tree.IsRootInternal())
   {
     Part<Dim> root;
-    AddLeaf(tree, tree.GetRoot(), root);
+    LeafSearches<Dim> searches(tree);
+    AddLeaf(searches, tree.GetRoot(), root);
     AddPart(root, total);
   }
   execution.ForChunks(numberOfBlocks, chunkSize,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       Part<Dim> part;
+      LeafSearches<Dim> searches(tree);
       for (std::size_t block = first; block < last; ++block)
       {
         PrefetchBelow(tree, std::min(block + 1, numberOfBlocks - 1));
@@ -85,7 +149,7 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
           const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
           if (!child.Internal)
           {
-            AddLeaf(tree, child, part);
+            AddLeaf(searches, child, part);
           }
         }
       }

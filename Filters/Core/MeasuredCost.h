@@ -8,7 +8,7 @@
 
 namespace hashedoctree
 {
-/** Mean number of nodes that counted searches examined, for each start depth from 0 to the tree's
+/** Mean number of nodes that searches examine, counted for each start depth from 0 to the tree's
  * deepest. Nothing in it comes from the cost model. */
 struct MeasuredCost
 {
@@ -18,7 +18,9 @@ struct MeasuredCost
 
 /**
  * Searches for every leaf of the tree from every start depth and counts. The points of a leaf share
- * its path, so one search stands for all of them. O(leaves * depths) searches. Throws Interrupted.
+ * its path, so one search stands for all of them; and a search that comes to a node goes on like
+ * the one that starts there, so each node on the way to a leaf is looked up in the table once, for
+ * all start depths. The counts are those of FindLeaf(). O(leaves * depths). Throws Interrupted.
  */
 template <int Dim>
 MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution);

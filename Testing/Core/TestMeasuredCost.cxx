@@ -37,6 +37,36 @@ TYPED_TEST(TestMeasuredCost, EqualsTheModelToTheLastDigit)
   }
 }
 
+TYPED_TEST(TestMeasuredCost, EqualsSearchesMadeOneByOne)
+{
+  constexpr int dim = TypeParam::value;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "clustered", MakeClusteredPoints<dim, double>(2000, 103) });
+  const MeasuredCost measured = MeasureCost(made.Tree, Execution(OnThreads(1)));
+  for (int startDepth = 0; startDepth <= made.Tree.GetDeepestDepth(); ++startDepth)
+  {
+    std::uint64_t leaves = 0;
+    std::uint64_t points = 0;
+    for (std::size_t block = 0; block < made.Tree.GetNumberOfInternalNodes(); ++block)
+    {
+      for (unsigned octant = 0; octant < Octree<dim>::NumberOfOctants; ++octant)
+      {
+        const auto leaf = made.Tree.GetChild(block, octant);
+        const std::uint64_t nodes = leaf.Internal
+          ? 0
+          : CountExaminedNodes(made.Tree, leaf.NodeKey.GetFirstAtMaxDepth(), startDepth);
+        leaves += nodes;
+        points += nodes * leaf.GetNumberOfPoints();
+      }
+    }
+    const auto depth = static_cast<std::size_t>(startDepth);
+    EXPECT_EQ(measured.Leaves[depth],
+      static_cast<double>(leaves) / static_cast<double>(made.Tree.GetNumberOfLeaves()));
+    EXPECT_EQ(measured.Points[depth],
+      static_cast<double>(points) / static_cast<double>(made.Tree.GetNumberOfPoints()));
+  }
+}
+
 TEST(TestMeasuredCostFacts, CanBeInterrupted)
 {
   const SampleTree<3, double> made(
