@@ -17,16 +17,17 @@ namespace hashedoctree
  * box, reached directly, past children whose tight boxes lie outside, taking those inside as a
  * whole. Private to PointSearch.cxx.
  */
-template <int Dim, typename Real>
+template <int Dim, typename Real, typename Count>
 class PointBoxWalk
 {
 public:
-  PointBoxWalk(
-    const PointTree<Dim, Real>& tree, const Box<Dim>& box, std::vector<PointIndex>& found)
+  PointBoxWalk(const PointTree<Dim, Real>& tree, const Box<Dim>& box,
+    std::vector<PointIndex>& found, Count& count)
     : Tree(tree)
     , Nodes(tree.GetOctree())
     , Wanted(box)
     , Found(found)
+    , Examined(count)
   {
     const Grid<Dim>& grid = this->Nodes.GetGrid();
     for (int axis = 0; axis < Dim; ++axis)
@@ -46,8 +47,8 @@ public:
     const Grid<Dim>& grid = this->Nodes.GetGrid();
     const Key key = grid.GetKey(this->Wanted.Lower.data());
     const int depth = Key::GetCommonDepth(key, grid.GetKey(this->Wanted.Upper.data()));
-    NoCount count;
-    this->Descend(FindBlock(this->Nodes, key, std::min(depth, Key::MaxDepth - 1), count).Block);
+    this->Descend(
+      FindBlock(this->Nodes, key, std::min(depth, Key::MaxDepth - 1), this->Examined).Block);
   }
 
 private:
@@ -82,6 +83,7 @@ private:
 
   void Descend(std::uint32_t top)
   {
+    this->Examined.AddNode();
     const std::uint32_t number = this->Tree.GetFork(top);
     const auto& block = this->Nodes.GetBlock(number);
     const auto octants = this->Nodes.GetOctants(number);
@@ -123,7 +125,7 @@ private:
   {
     if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
     {
-      PointBoxWalk(*nested, this->Wanted, this->Found).Search();
+      PointBoxWalk(*nested, this->Wanted, this->Found, this->Examined).Search();
       return;
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
@@ -147,8 +149,9 @@ private:
   const Octree<Dim>& Nodes;
   const Box<Dim>& Wanted;
   std::vector<PointIndex>& Found;
-  Position<Dim>
-    Lower; ///< Of the wanted box, from the lower corner of the root, in cells of MaxDepth.
+  Count& Examined;
+  /** Of the wanted box, from the lower corner of the root, in cells of MaxDepth. */
+  Position<Dim> Lower;
   Position<Dim> Upper;
 };
 }

@@ -18,15 +18,15 @@ bool CanFind(const PointTree<Dim, Real>& tree, const Position<Dim>& x)
 }
 
 template <int Dim, typename Real, typename Count>
-bool FindClosestCounted(const PointTree<Dim, Real>& tree, const Position<Dim>& x, double radius2,
-  FoundPoint& found, Count& count)
+bool FindClosestOne(const PointTree<Dim, Real>& tree, const Position<Dim>& x, double radius2,
+  FoundPoint& found, Count& nodes)
 {
   if (!CanFind<Dim, Real>(tree, x) || !(radius2 >= 0.0))
   {
     return false;
   }
   ClosestOne closest(radius2, tree.GetKernels().Select);
-  SearchPoints<Dim, Real>(tree, x, closest, count, 1);
+  SearchPoints<Dim, Real>(tree, x, closest, nodes, 1);
   if (closest.HasFound())
   {
     found = closest.GetBest();
@@ -34,17 +34,55 @@ bool FindClosestCounted(const PointTree<Dim, Real>& tree, const Position<Dim>& x
   return closest.HasFound();
 }
 
+template <int Dim, typename Real, typename Count>
+void FindClosestPoints(const PointTree<Dim, Real>& tree, const Position<Dim>& x, std::size_t count,
+  std::vector<FoundPoint>& found, Count& nodes)
+{
+  found.clear();
+  if (!CanFind<Dim, Real>(tree, x) || count == 0)
+  {
+    return;
+  }
+  if (count <= ClosestFew::MostWanted)
+  {
+    ClosestFew closest(count, tree.GetKernels().Select);
+    SearchPoints<Dim, Real>(tree, x, closest, nodes, count);
+    closest.CopyTo(found);
+  }
+  else
+  {
+    ClosestMany closest(count, found);
+    SearchPoints<Dim, Real>(tree, x, closest, nodes, count);
+    closest.PutInOrder();
+  }
+}
+
 /** The points within a radius, by one of the two collectors. */
-template <typename Collector, int Dim, typename Real, typename Found>
+template <typename Collector, int Dim, typename Real, typename Found, typename Count>
 void FindAllWithin(const PointTree<Dim, Real>& tree, const Position<Dim>& x, double radius,
-  std::vector<Found>& found)
+  std::vector<Found>& found, Count& nodes)
 {
   found.clear();
   if (CanFind<Dim, Real>(tree, x) && radius >= 0.0)
   {
     Collector within(radius * radius, found);
-    NoCount nodes;
     SearchPoints<Dim, Real>(tree, x, within, nodes, 1);
+  }
+}
+
+template <int Dim, typename Real, typename Count>
+void FindAllWithin(const PointTree<Dim, Real>& tree, const Box<Dim>& box,
+  std::vector<PointIndex>& found, Count& nodes)
+{
+  found.clear();
+  bool isBox = tree.GetNumberOfPoints() != 0;
+  for (int axis = 0; axis < Dim; ++axis)
+  {
+    isBox &= box.Lower[axis] <= box.Upper[axis];
+  }
+  if (isBox)
+  {
+    PointBoxWalk<Dim, Real, Count>(tree, box, found, nodes).Search();
   }
 }
 }
@@ -53,71 +91,77 @@ template <int Dim, typename Real>
 bool PointSearch<Dim, Real>::FindClosest(
   const Position<Dim>& x, FoundPoint& found, double radius2) const
 {
-  NoCount count;
-  return FindClosestCounted<Dim, Real>(this->Tree, x, radius2, found, count);
-}
-
-template <int Dim, typename Real>
-std::uint64_t PointSearch<Dim, Real>::CountNodesForClosest(const Position<Dim>& x) const
-{
-  NodeCount count;
-  FoundPoint found{};
-  FindClosestCounted<Dim, Real>(
-    this->Tree, x, std::numeric_limits<double>::infinity(), found, count);
-  return count.Nodes;
+  NoCount nodes;
+  return FindClosestOne<Dim, Real>(this->Tree, x, radius2, found, nodes);
 }
 
 template <int Dim, typename Real>
 void PointSearch<Dim, Real>::FindClosest(
   const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const
 {
-  found.clear();
-  if (!CanFind<Dim, Real>(this->Tree, x) || count == 0)
-  {
-    return;
-  }
   NoCount nodes;
-  if (count <= ClosestFew::MostWanted)
-  {
-    ClosestFew closest(count, this->Tree.GetKernels().Select);
-    SearchPoints<Dim, Real>(this->Tree, x, closest, nodes, count);
-    closest.CopyTo(found);
-  }
-  else
-  {
-    ClosestMany closest(count, found);
-    SearchPoints<Dim, Real>(this->Tree, x, closest, nodes, count);
-    closest.PutInOrder();
-  }
+  FindClosestPoints<Dim, Real>(this->Tree, x, count, found, nodes);
 }
 
 template <int Dim, typename Real>
 void PointSearch<Dim, Real>::FindWithin(
   const Position<Dim>& x, double radius, std::vector<FoundPoint>& found) const
 {
-  FindAllWithin<AllMeasured, Dim, Real>(this->Tree, x, radius, found);
-}
-
-template <int Dim, typename Real>
-void PointSearch<Dim, Real>::FindWithin(const Box<Dim>& box, std::vector<PointIndex>& found) const
-{
-  found.clear();
-  bool isBox = this->Tree.GetNumberOfPoints() != 0;
-  for (int axis = 0; axis < Dim; ++axis)
-  {
-    isBox &= box.Lower[axis] <= box.Upper[axis];
-  }
-  if (isBox)
-  {
-    PointBoxWalk<Dim, Real>(this->Tree, box, found).Search();
-  }
+  NoCount nodes;
+  FindAllWithin<AllMeasured, Dim, Real>(this->Tree, x, radius, found, nodes);
 }
 
 template <int Dim, typename Real>
 void PointSearch<Dim, Real>::FindWithin(
   const Position<Dim>& x, double radius, std::vector<PointIndex>& found) const
 {
-  FindAllWithin<AllWithin, Dim, Real>(this->Tree, x, radius, found);
+  NoCount nodes;
+  FindAllWithin<AllWithin, Dim, Real>(this->Tree, x, radius, found, nodes);
+}
+
+template <int Dim, typename Real>
+void PointSearch<Dim, Real>::FindWithin(const Box<Dim>& box, std::vector<PointIndex>& found) const
+{
+  NoCount nodes;
+  FindAllWithin<Dim, Real>(this->Tree, box, found, nodes);
+}
+
+template <int Dim, typename Real>
+std::uint64_t PointSearch<Dim, Real>::CountNodesForClosest(const Position<Dim>& x) const
+{
+  NodeCount nodes;
+  FoundPoint found{};
+  FindClosestOne<Dim, Real>(this->Tree, x, std::numeric_limits<double>::infinity(), found, nodes);
+  return nodes.Nodes;
+}
+
+template <int Dim, typename Real>
+std::uint64_t PointSearch<Dim, Real>::CountNodesForClosest(
+  const Position<Dim>& x, std::size_t count) const
+{
+  NodeCount nodes;
+  std::vector<FoundPoint> found;
+  FindClosestPoints<Dim, Real>(this->Tree, x, count, found, nodes);
+  return nodes.Nodes;
+}
+
+template <int Dim, typename Real>
+std::uint64_t PointSearch<Dim, Real>::CountNodesForWithin(
+  const Position<Dim>& x, double radius) const
+{
+  NodeCount nodes;
+  std::vector<PointIndex> found;
+  FindAllWithin<AllWithin, Dim, Real>(this->Tree, x, radius, found, nodes);
+  return nodes.Nodes;
+}
+
+template <int Dim, typename Real>
+std::uint64_t PointSearch<Dim, Real>::CountNodesForWithin(const Box<Dim>& box) const
+{
+  NodeCount nodes;
+  std::vector<PointIndex> found;
+  FindAllWithin<Dim, Real>(this->Tree, box, found, nodes);
+  return nodes.Nodes;
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

@@ -55,15 +55,12 @@ public:
   bool FindClosest(const Position<Dim>& x, FoundPoint& found,
     double radius2 = std::numeric_limits<double>::infinity()) const;
 
-  /** How many nodes FindClosest() examines for a position: looks into the table, and blocks whose
-   * children it measures. */
-  std::uint64_t CountNodesForClosest(const Position<Dim>& x) const;
-
   /** The `count` closest points in order, or all where there are fewer. `found` is replaced. */
   void FindClosest(const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const;
 
-  /** The points within a radius, those at it included, in an order that depends on the points and
-   * the position only. `found` is replaced. No point for a radius that is negative or no number. */
+  /** The points within a radius, those at it included, in an order that depends on the points, the
+   * position and the start depths. `found` is replaced. No point for a radius that is negative or
+   * no number. */
   void FindWithin(const Position<Dim>& x, double radius, std::vector<PointIndex>& found) const;
 
   /** The same with their squared distances. */
@@ -73,6 +70,15 @@ public:
    * the box only. `found` is replaced. No point for a box whose upper corner lies below its lower
    * one, or with a corner that is no number; corners may be infinite. */
   void FindWithin(const Box<Dim>& box, std::vector<PointIndex>& found) const;
+
+  ///@{
+  /** How many nodes these searches examine: looks into the table, and blocks whose children they
+   * measure. Searches that do not count are not slowed by it. */
+  std::uint64_t CountNodesForClosest(const Position<Dim>& x) const;
+  std::uint64_t CountNodesForClosest(const Position<Dim>& x, std::size_t count) const;
+  std::uint64_t CountNodesForWithin(const Position<Dim>& x, double radius) const;
+  std::uint64_t CountNodesForWithin(const Box<Dim>& box) const;
+  ///@}
 
 private:
   const PointTree<Dim, Real>& Tree;
