@@ -80,9 +80,14 @@ template <int Dim, typename Real>
 void PointTree<Dim, Real>::SetStartDepths(const StartDepthOptions& options)
 {
   this->Starts = StartDepths<Dim>(this->Tree, options);
+  StartDepthOptions ofNested = options;
+  if (options.Model == StartDepthModel::Local)
+  {
+    ofNested.Model = StartDepthModel::Median; // They are in one place each.
+  }
   for (Nested& nested : this->NestedTrees)
   {
-    nested.Points.SetStartDepths(options);
+    nested.Points.SetStartDepths(ofNested);
   }
 }
 
@@ -91,7 +96,7 @@ std::size_t PointTree<Dim, Real>::GetBytes() const
 {
   std::size_t bytes = this->Tree.GetTreeBytes() + this->Tree.GetOrderBytes() +
     this->OwnIds.GetBytes() + this->Boxes.GetBytes() + this->Forks.GetBytes() +
-    this->Free.GetBytes() + this->OwnCoordinates.GetBytes();
+    this->Free.GetBytes() + this->OwnCoordinates.GetBytes() + this->Starts.GetBytes();
   for (const Nested& nested : this->NestedTrees)
   {
     bytes += sizeof(Nested) + nested.Points.GetBytes();

@@ -41,7 +41,8 @@ public:
   const Octree<Dim>& GetOctree() const { return this->Tree; }
   std::size_t GetNumberOfPoints() const { return this->Tree.GetNumberOfPoints(); }
 
-  /** Chooses anew where searches start, in nested trees too. */
+  /** Chooses anew where searches start, in nested trees too: by the same options, but for the Local
+   * model at their medians. */
   void SetStartDepths(const StartDepthOptions& options);
   const StartDepths<Dim>& GetStartDepths() const { return this->Starts; }
 
@@ -79,7 +80,7 @@ public:
   /** The nested tree of a leaf, given where its range begins, or null. O(log nested trees). */
   const PointTree* FindNested(PointIndex firstPoint) const;
 
-  /** Bytes of all of it: tree, order, boxes, coordinates and nested trees. */
+  /** Bytes of all of it: tree, order, boxes, coordinates, start depths and nested trees. */
   std::size_t GetBytes() const;
 
 private:

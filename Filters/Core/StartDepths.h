@@ -39,6 +39,9 @@ public:
   /** The depth for the whole tree; of the Local model the one that Median has. */
   int GetOfTree() const { return this->Everywhere; }
 
+  /** Bytes beside the object itself: those of the Local model. */
+  std::size_t GetBytes() const { return this->Local.size(); }
+
   /** Mean number of nodes that a search in the tree examines, as GetMeanCost() of
    * DepthStatistics.h has it, when leaves are searched for as often as `frequency` says. 0 without
    * any weight. O(depths), of the Local model O(nodes). */
