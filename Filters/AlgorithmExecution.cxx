@@ -7,6 +7,7 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace hashedoctree
 {
@@ -14,7 +15,8 @@ namespace
 {
 bool IsAborted(vtkAlgorithm* algorithm)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+// Between VTK 9.2 and 9.3; ParaView 5.11 has a VTK from there, which counts as 9.2 of its date.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230101)
   return algorithm->CheckAbort();
 #else
   return algorithm->GetAbortExecute() != 0;
@@ -30,10 +32,33 @@ void RunOnThreads(
 {
   const auto count = static_cast<vtkIdType>(last - first);
   const vtkIdType parts = PartsPerThread * vtkSMPTools::GetEstimatedNumberOfThreads();
+  // What leaves a thread of vtkSMPTools ends the program, or is lost, depending on the version.
+  std::atomic<bool> failed{ false };
+  std::exception_ptr error;
   vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
     std::max(static_cast<vtkIdType>(grain), count / parts),
-    [&body](vtkIdType from, vtkIdType to)
-    { body(static_cast<std::size_t>(from), static_cast<std::size_t>(to)); });
+    [&](vtkIdType from, vtkIdType to)
+    {
+      if (failed)
+      {
+        return;
+      }
+      try
+      {
+        body(static_cast<std::size_t>(from), static_cast<std::size_t>(to));
+      }
+      catch (...)
+      {
+        if (!failed.exchange(true))
+        {
+          error = std::current_exception();
+        }
+      }
+    });
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
 }
 }
 
@@ -47,7 +72,7 @@ Execution MakeExecution(vtkAlgorithm* algorithm)
     });
 }
 
-Execution MakeExecution(vtkObject* object, const bool& isAborted)
+Execution MakeExecution(vtkObject* object, const std::atomic<bool>& isAborted)
 {
   return Execution(RunOnThreads,
     [object, &isAborted](double fraction)

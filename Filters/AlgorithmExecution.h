@@ -4,6 +4,8 @@
 
 #include "Execution.h"
 
+#include <atomic>
+
 class vtkAlgorithm;
 class vtkObject;
 
@@ -15,7 +17,7 @@ Execution MakeExecution(vtkAlgorithm* algorithm);
 
 /** The same of an object that is no algorithm: ProgressEvent with the fraction done, after which
  * the flag is looked at. */
-Execution MakeExecution(vtkObject* object, const bool& isAborted);
+Execution MakeExecution(vtkObject* object, const std::atomic<bool>& isAborted);
 
 /** vtkSMPTools as threads, and no reports, for what no algorithm runs. */
 Execution MakeExecution();

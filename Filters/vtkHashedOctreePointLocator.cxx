@@ -24,6 +24,8 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <optional>
+#include <set>
 #include <variant>
 #include <vector>
 
@@ -35,6 +37,7 @@ namespace
 {
 constexpr int MaxDepthOfKeys = MortonKey<3>::MaxDepth;
 constexpr std::size_t PointsPerThread = 32768; // Fewer take less time than a thread takes to come.
+constexpr double AdaptorShare = 0.05; // Of the progress of a batch, while positions are read.
 
 /** The calling thread's own memory for what one query finds, so that most queries allocate none. */
 template <typename T>
@@ -80,6 +83,11 @@ private:
   std::vector<T>& Values = GetOfThread();
 };
 
+Box<3> ToBox(const double bounds[6])
+{
+  return { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } };
+}
+
 void SetSize(vtkDataArray* array, int components, std::size_t tuples)
 {
   array->SetNumberOfComponents(components);
@@ -93,6 +101,8 @@ class vtkHashedOctreePointLocator::Index
 public:
   std::variant<PointTree<3, float>, PointTree<3, double>> Points;
   LeafNumbers<3> Leaves;
+  std::optional<Box<3>> Bounds;        ///< Of the points, if there are any.
+  bool IsFailed = false;               ///< There was an error, and no point is found.
   vtkPointSet* PointSet = nullptr;     ///< The locator's data set, if it is one with points,
   vtkPoints* PointsOfSet = nullptr;    ///< its points,
   vtkDataArray* Coordinates = nullptr; ///< and their coordinates.
@@ -187,7 +197,14 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
   this->Modified();
   if (this->Tree)
   {
-    this->ChooseStartDepths();
+    try
+    {
+      this->ChooseStartDepths(*this->Tree);
+    }
+    catch (const std::bad_alloc&)
+    {
+      vtkErrorMacro("There is not enough memory for local start depths; choose another model.");
+    }
   }
   if (wasUpToDate)
   {
@@ -237,27 +254,39 @@ void vtkHashedOctreePointLocator::ForceBuildLocator()
 void vtkHashedOctreePointLocator::BuildLocatorInternal()
 {
   this->FreeSearchStructure();
-  this->Tree = std::make_unique<Index>();
-  this->Tree->Watch(this->DataSet);
+  auto index = std::make_unique<Index>();
   if (this->DataSet != nullptr && this->DataSet->GetNumberOfPoints() > 0)
   {
     try
     {
-      this->FillIndex();
-    }
-    catch (const std::bad_alloc&)
-    {
-      vtkErrorMacro("There is not enough memory for the octree; raise MaxPointsPerLeaf.");
+      this->Fill(*index);
     }
     catch (const std::exception& exception)
     {
-      vtkErrorMacro(<< exception.what());
+      *index = Index();
+      index->IsFailed = true;
+      const bool isMemory = dynamic_cast<const std::bad_alloc*>(&exception) != nullptr;
+      vtkErrorMacro(<< (isMemory ? "There is not enough memory for the index of "
+                                   "the points; take fewer of them."
+                                 : exception.what()));
     }
   }
+  index->Watch(this->DataSet);
+  if (index->Bounds)
+  {
+    this->Level = index->GetOctree().GetDeepestDepth();
+    this->NumberOfBuckets = static_cast<vtkIdType>(index->GetOctree().GetNumberOfLeaves());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Bounds[2 * axis] = index->Bounds->Lower[axis];
+      this->Bounds[2 * axis + 1] = index->Bounds->Upper[axis];
+    }
+  }
+  this->Tree = std::move(index);
   this->BuildTime.Modified();
 }
 
-void vtkHashedOctreePointLocator::FillIndex()
+void vtkHashedOctreePointLocator::Fill(Index& index)
 {
   const Execution threads = MakeExecution();
   const PointsAdaptor points(this->DataSet, threads);
@@ -268,12 +297,11 @@ void vtkHashedOctreePointLocator::FillIndex()
   const auto build = [&](auto span, const Execution& execution)
   {
     const PointSelection<3> selection(span, {}, execution);
-    this->Tree->Points = PointTree(span, selection, options, execution);
+    index.Points = PointTree(span, selection, options, execution);
     skipped = selection.GetNumberOfSkippedPoints();
-    for (int axis = 0; axis < 3 && selection.GetNumberOfPoints() > 0; ++axis)
+    if (selection.GetNumberOfPoints() > 0)
     {
-      this->Bounds[2 * axis] = selection.GetBox().Lower[axis];
-      this->Bounds[2 * axis + 1] = selection.GetBox().Upper[axis];
+      index.Bounds = selection.GetBox();
     }
   };
   points.Visit(
@@ -288,22 +316,16 @@ void vtkHashedOctreePointLocator::FillIndex()
     vtkWarningMacro(<< skipped << " of " << this->DataSet->GetNumberOfPoints()
                     << " points have a coordinate that is not finite; they are left out.");
   }
-  const Octree<3>& octree = this->Tree->GetOctree();
-  this->Tree->Leaves = LeafNumbers<3>(octree);
-  if (octree.GetNumberOfPoints() > 0)
-  {
-    this->Level = octree.GetDeepestDepth();
-    this->NumberOfBuckets = static_cast<vtkIdType>(octree.GetNumberOfLeaves());
-  }
-  this->ChooseStartDepths();
+  index.Leaves = LeafNumbers<3>(index.GetOctree());
+  this->ChooseStartDepths(index);
 }
 
-void vtkHashedOctreePointLocator::ChooseStartDepths()
+void vtkHashedOctreePointLocator::ChooseStartDepths(Index& index) const
 {
   const StartDepthOptions options{ static_cast<hashedoctree::StartDepthModel>(
                                      this->StartDepthModel),
     static_cast<hashedoctree::FrequencyModel>(this->FrequencyModel), this->FixedStartDepth };
-  std::visit([&options](auto& tree) { tree.SetStartDepths(options); }, this->Tree->Points);
+  std::visit([&options](auto& tree) { tree.SetStartDepths(options); }, index.Points);
 }
 
 void vtkHashedOctreePointLocator::FreeSearchStructure()
@@ -372,9 +394,9 @@ void vtkHashedOctreePointLocator::FindPointsWithinRadius(
 
 void vtkHashedOctreePointLocator::FindPointsWithinBox(const double bounds[6], vtkIdList* result)
 {
-  const Box<3> box({ bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] });
   Found<PointIndex> found;
-  this->GetIndex().Search([&](const auto& search) { search.FindWithin(box, found.Get()); });
+  this->GetIndex().Search(
+    [&](const auto& search) { search.FindWithin(ToBox(bounds), found.Get()); });
   found.CopyTo(result, [](PointIndex id) { return id; });
 }
 
@@ -382,9 +404,10 @@ template <typename Function>
 bool vtkHashedOctreePointLocator::RunBatch(
   vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function)
 {
-  if (std::count(outputs.begin(), outputs.end(), nullptr) > 0)
+  const std::set<vtkDataArray*> arrays(outputs);
+  if (arrays.size() < outputs.size() || arrays.count(nullptr) > 0 || arrays.count(queries) > 0)
   {
-    vtkErrorMacro("A batch needs an array for each of its outputs.");
+    vtkErrorMacro("A batch needs an array of its own for each of its outputs.");
     return false;
   }
   for (vtkDataArray* output : outputs)
@@ -397,15 +420,19 @@ bool vtkHashedOctreePointLocator::RunBatch(
     return false;
   }
   const Index& index = this->GetIndex();
+  if (index.IsFailed)
+  {
+    return false;
+  }
   this->BatchIsAborted = false;
   const Execution execution = MakeExecution(this, this->BatchIsAborted);
   try
   {
-    const PointsAdaptor positions(queries, execution);
+    const PointsAdaptor positions(queries, execution.Part(0.0, AdaptorShare));
     index.Visit(
       [&](const auto& tree)
       {
-        const PointBatch batch(tree, execution);
+        const PointBatch batch(tree, execution.Part(AdaptorShare, 1.0));
         positions.Visit([&](auto span) { function(batch, span); });
       });
     return true;
@@ -495,6 +522,30 @@ vtkIdType vtkHashedOctreePointLocator::GetClosestPointCost(const double x[3])
     [x](const auto& search) {
       return static_cast<vtkIdType>(search.CountNodesForClosest({ x[0], x[1], x[2] }));
     });
+}
+
+vtkIdType vtkHashedOctreePointLocator::GetClosestNPointsCost(int count, const double x[3])
+{
+  return this->GetIndex().Search(
+    [&](const auto& search)
+    {
+      return static_cast<vtkIdType>(search.CountNodesForClosest(
+        { x[0], x[1], x[2] }, static_cast<std::size_t>(std::max(count, 0))));
+    });
+}
+
+vtkIdType vtkHashedOctreePointLocator::GetPointsWithinRadiusCost(double radius, const double x[3])
+{
+  return this->GetIndex().Search(
+    [&](const auto& search) {
+      return static_cast<vtkIdType>(search.CountNodesForWithin({ x[0], x[1], x[2] }, radius));
+    });
+}
+
+vtkIdType vtkHashedOctreePointLocator::GetPointsWithinBoxCost(const double bounds[6])
+{
+  return this->GetIndex().Search([&](const auto& search)
+    { return static_cast<vtkIdType>(search.CountNodesForWithin(ToBox(bounds))); });
 }
 
 void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData* pd)

@@ -19,7 +19,7 @@
  *   is the one that a comparison with every point would give.
  * - Of equally near points the one with the smallest id wins. FindClosestNPoints() sorts by
  *   distance, then by id. The order of FindPointsWithinRadius() is not specified, but depends only
- *   on the data, the properties of the tree and the query.
+ *   on the data, the properties of the locator and the query.
  * - A radius is inclusive: points with a squared distance of at most radius * radius are within.
  *   Radius 0 finds the points at x, an infinite radius all, one that is negative or NaN none.
  * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
@@ -27,11 +27,13 @@
  *   has no closest point (-1, or an empty list).
  * - Without points, or without a data set, queries find nothing (-1, or an empty list), silently.
  * - Lists are always reset first. A squared distance is set exactly when a point is found.
- * - Points with a coordinate that is not finite are never found; each build that meets some says
- *   so in one warning with their number.
- * - One point, points that are all equal, few points far from many: all as above. No search looks
- *   at all points unless they are at one place: leaves at depth 21 with more points than they may
- *   hold have trees of their own. (With a smaller MaxDepth leaves are as large as was asked for.)
+ * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
+ *   double (4.4e307), are never found; each build that meets some says so in one warning with their
+ *   number.
+ * - One point, points that are all equal, few points far from many: all as above. Leaves at depth
+ *   21 with more points than they may hold have trees of their own. (With a smaller MaxDepth leaves
+ *   are as large as was asked for.) A search looks at all points only where they are equally near:
+ *   at one place, or where rounding makes them so, from some 1e15 widths away.
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
@@ -55,6 +57,7 @@
 #include "vtkAbstractPointLocator.h"
 #include "vtkVersionMacros.h" // For the version that brought ForceBuildLocator()
 
+#include <atomic>           // For the end of a batch
 #include <initializer_list> // For the outputs of a batch
 #include <memory>           // For std::unique_ptr
 
@@ -130,8 +133,8 @@ public:
   vtkGetMacro(FixedStartDepth, int);
   ///@}
 
-  /** Id of the point closest to x, or -1. Near the points the mean cost is O(1), far from them
-   * O(depth). Thread safe after a build. */
+  /** Id of the point closest to x, or -1. Near the points the mean cost is O(1), up to a million
+   * widths away O(depth). Thread safe after a build. */
   vtkIdType FindClosestPoint(const double x[3]) override;
 
   /** Id of the point closest to x among those within the radius, or -1. `dist2` is set to its
@@ -155,9 +158,10 @@ public:
   /**
    * Many searches at once, on the threads of vtkSMPTools. Every search finds what the one of the
    * same name for one position finds. `queries` has three components, of any type; the other
-   * arrays are resized, and must not be the same. Fires ProgressEvent with the fraction done; an
-   * observer that calls AbortBatch() ends the batch. Returns whether all was done: if aborted, or
-   * after an error (no three components, not enough memory), all outputs are empty.
+   * arrays are resized, and must all be different. Fires ProgressEvent with the fraction done of
+   * all but a build; AbortBatch(), called by an observer or from another thread, ends the batch.
+   * Returns whether all was done: if aborted, or after an error (no three components, not enough
+   * memory, a build that failed), all outputs are empty.
    * - FindClosestPoints(): one id and squared distance for each position.
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id.
    *   Both: -1 and infinity where there is no (other) point; nothing for a count of 0 or less.
@@ -165,9 +169,9 @@ public:
    *   to offsets[i + 1] - 1 in `ids` and `dist2`; `offsets` has one value more than there are
    *   positions.
    *
-   * In large trees positions from all over are taken along the Morton curve, a million at a time:
-   * what one search has loaded is there for the next. That takes up to 32 bytes for each of that
-   * million in the meantime.
+   * In large trees scattered positions are taken along the Morton curve, a million at a time, so
+   * that one search finds in the caches what the last one loaded. That takes up to 32 bytes for
+   * each of that million in the meantime.
    *
    * Call from one thread at a time; builds the tree if it must.
    */
@@ -186,15 +190,24 @@ public:
    * - GetDepth(): its depth, 0 for the root.
    * - GetHitCost(): how many nodes the search for it examines from the start depth there, which is
    *   1 + |depth - start depth| (paper section 4).
-   * - GetClosestPointCost(): how many nodes FindClosestPoint() examines: looks into the hash table
-   *   and into the children of a node.
-   * -1 (the costs 0) without points, or if x is not finite. Trees in leaves at depth 21 count in
-   * the last only. Thread safe after a build.
+   * -1 (the cost 0) without points, or if x is not finite. Trees in leaves at depth 21 do not
+   * count. Thread safe after a build.
    */
   vtkIdType GetLeafId(const double x[3]);
   int GetDepth(const double x[3]);
   vtkIdType GetHitCost(const double x[3]);
+  ///@}
+
+  ///@{
+  /**
+   * How many nodes the query of that name examines: looks into the hash table, and into the
+   * children of a node. The query is made and counted; those that find points do not count, and
+   * are no slower for it. 0 where there is nothing to search for. Thread safe after a build.
+   */
   vtkIdType GetClosestPointCost(const double x[3]);
+  vtkIdType GetClosestNPointsCost(int count, const double x[3]);
+  vtkIdType GetPointsWithinRadiusCost(double radius, const double x[3]);
+  vtkIdType GetPointsWithinBoxCost(const double bounds[6]);
   ///@}
 
   /** Builds the tree unless it is up to date or, where there is one, UseExistingSearchStructure is
@@ -248,15 +261,15 @@ private:
     vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function);
   bool IsUpToDate();
   bool HasSamePoints() const;
-  void FillIndex();
+  void Fill(Index& index);
   void SetStartDepthProperty(int& property, int value);
-  void ChooseStartDepths();
+  void ChooseStartDepths(Index& index) const;
 
   int MaxPointsPerLeaf = 64;
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
-  bool BatchIsAborted = false;
+  std::atomic<bool> BatchIsAborted{ false };
   std::unique_ptr<Index> Tree;
 };
 

@@ -20,10 +20,10 @@ class PointBatch
 {
 public:
   /** The tree must outlive the batch. */
-  PointBatch(const PointTree<Dim, Real>& tree, const Execution& execution)
+  PointBatch(const PointTree<Dim, Real>& tree, Execution execution)
     : Tree(tree)
     , Search(tree)
-    , Threads(execution)
+    , Threads(std::move(execution))
   {
   }
 
@@ -167,7 +167,7 @@ private:
 
   const PointTree<Dim, Real>& Tree;
   PointSearch<Dim, Real> Search;
-  const Execution& Threads;
+  Execution Threads;
 };
 }
 

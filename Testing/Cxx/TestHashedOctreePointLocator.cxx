@@ -164,6 +164,25 @@ TYPED_TEST(TestHashedOctreePointLocator, AnswersAsTheOracleOnTheStandingSamples)
   }
 }
 
+TYPED_TEST(TestHashedOctreePointLocator, BoxesHoldWhatTheOracleFindsInThem)
+{
+  for (const auto& sample : MakePointSamples<3, TypeParam>())
+  {
+    SCOPED_TRACE(sample.Name);
+    const BruteForceSearch<3, TypeParam> oracle(sample.GetSpan());
+    TestedLocator locator(MakePointCloud(sample.Coordinates));
+    locator->SetMaxPointsPerLeaf(2);
+    locator->BuildLocator();
+    locator.Warnings.clear(); // Told of in another test.
+    const std::vector<Position> corners = MakeQueries(sample, 3);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+      ASSERT_NO_FATAL_FAILURE(
+        locator.ExpectBoxes(oracle, corners[i], corners[(i * 5 + 2) % corners.size()]));
+    }
+  }
+}
+
 TYPED_TEST(TestHashedOctreePointLocator, AnswersAsTheOracleFarFromTheOrigin)
 {
   std::vector<TypeParam> offset = MakeUniformPoints<3, TypeParam>(800, 11);

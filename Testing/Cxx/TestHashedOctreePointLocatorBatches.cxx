@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkSMPTools.h"
 #include "vtkSOADataArrayTemplate.h"
 
@@ -118,6 +119,27 @@ TEST(TestHashedOctreePointLocatorBatches, FindWhatSingleSearchesFind)
   vtkSMPTools::Initialize(0);
 }
 
+TEST(TestHashedOctreePointLocatorBatches, FindTheSameFromAllStartDepths)
+{
+  const auto coordinates = MakeClusteredPoints<3, float>(5000, 185);
+  TestedLocator locator(MakePointCloud(coordinates));
+  locator->SetMaxPointsPerLeaf(8);
+  vtkSMPTools::SetBackend("STDThread");
+  for (int model = vtkHashedOctreePointLocator::Median; model <= vtkHashedOctreePointLocator::Local;
+       ++model)
+  {
+    locator->SetStartDepthModel(model);
+    for (const int threads : { 2, 8 })
+    {
+      vtkSMPTools::Initialize(threads);
+      ASSERT_NO_FATAL_FAILURE(
+        ExpectAsOneByOne(locator, MakeQueries<vtkFloatArray>(coordinates, 200)))
+        << "model " << model;
+    }
+  }
+  vtkSMPTools::Initialize(0);
+}
+
 TEST(TestHashedOctreePointLocatorBatches, FewerPointsThanAskedFor)
 {
   TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(3, 182)));
@@ -151,9 +173,19 @@ TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
   EXPECT_FALSE(
     locator->FindPointsWithinRadius(1.0, nullptr, outputs.Offsets, outputs.Ids, outputs.Dist2));
   EXPECT_FALSE(locator->FindClosestNPoints(2, pairs, nullptr, outputs.Dist2));
-  ASSERT_EQ(locator.Errors.size(), 3U);
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->InsertNextTuple3(0.0, 0.0, 0.0);
+  EXPECT_FALSE(locator->FindClosestPoints(queries, outputs.Ids, queries));
+  EXPECT_EQ(queries->GetNumberOfTuples(), 1);
+  EXPECT_FALSE(
+    locator->FindPointsWithinRadius(1.0, queries, outputs.Ids, outputs.Ids, outputs.Dist2));
+  ASSERT_EQ(locator.Errors.size(), 5U);
   EXPECT_NE(locator.Errors[0].find("three components"), std::string::npos);
-  EXPECT_NE(locator.Errors[2].find("outputs"), std::string::npos);
+  for (const std::size_t error : { 2U, 3U, 4U })
+  {
+    EXPECT_NE(locator.Errors[error].find("outputs"), std::string::npos);
+  }
   locator.Errors.clear();
 }
 
@@ -179,6 +211,14 @@ TEST(TestHashedOctreePointLocatorBatches, TellProgressAndCanBeAborted)
   locator->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Observe);
   Outputs outputs;
   EXPECT_TRUE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_GE(observer.Fractions.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(observer.Fractions.begin(), observer.Fractions.end()));
+  EXPECT_EQ(observer.Fractions.back(), 1.0);
+
+  // Of another type, they are copied first.
+  observer.Fractions.clear();
+  EXPECT_TRUE(locator->FindClosestPoints(
+    MakeQueries<vtkIntArray>(coordinates, 60000), outputs.Ids, outputs.Dist2));
   EXPECT_GE(observer.Fractions.size(), 3U);
   EXPECT_TRUE(std::is_sorted(observer.Fractions.begin(), observer.Fractions.end()));
   EXPECT_EQ(observer.Fractions.back(), 1.0);

@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkVersionMacros.h"
 #include "vtkWeakPointer.h"
@@ -145,6 +146,36 @@ TEST(TestHashedOctreePointLocatorBuild, ModificationsRebuild)
   EXPECT_EQ(locator.Use(), 1U);
   locator->Initialize();
   EXPECT_EQ(locator.Use(), 1U);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, OtherPointsInTheSameDataSetRebuild)
+{
+  const auto cloud = MakePointCloud<double>({ 0, 0, 0, 1, 0, 0 });
+  const auto other = MakePointCloud<double>({ 5, 0, 0, 9, 0, 0, 0.9, 0, 0 });
+  TestedLocator locator(cloud);
+  const double x[3] = { 0.9, 0.0, 0.0 };
+  EXPECT_EQ(locator->FindClosestPoint(x), 1);
+  cloud->DeepCopy(other);
+  EXPECT_EQ(locator->FindClosestPoint(x), 2);
+  cloud->ShallowCopy(MakePointCloud<float>({ 0.9F, 0, 0 }));
+  EXPECT_EQ(locator->FindClosestPoint(x), 0);
+  cloud->CopyStructure(other);
+  EXPECT_EQ(locator->FindClosestPoint(x), 2);
+  cloud->GetPoints()->DeepCopy(MakePointCloud<double>({ 4, 0, 0, 0, 0, 0 })->GetPoints());
+  EXPECT_EQ(locator->FindClosestPoint(x), 1);
+  cloud->ReleaseData();
+  EXPECT_EQ(locator->FindClosestPoint(x), -1);
+  cloud->SetPoints(other->GetPoints());
+  EXPECT_EQ(locator->FindClosestPoint(x), 1);
+
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  locator->SetDataSet(image);
+  EXPECT_EQ(locator->FindClosestPoint(x), 1);
+  image->SetOrigin(0.9, 0.0, 0.0);
+  EXPECT_EQ(locator->FindClosestPoint(x), 0);
+  image->SetDimensions(0, 0, 0);
+  EXPECT_EQ(locator->FindClosestPoint(x), -1);
 }
 
 TEST(TestHashedOctreePointLocatorBuild, CellsAndAttributesAskForNoNewTree)

@@ -8,10 +8,14 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
+#include "vtkClosestNPointsStrategy.h"
+#include "vtkClosestPointStrategy.h"
 #include "vtkConnectedPointsFilter.h"
+#include "vtkDataSetTriangleFilter.h"
 #include "vtkEuclideanClusterExtraction.h"
 #include "vtkFloatArray.h"
 #include "vtkGaussianKernel.h"
+#include "vtkGenericCell.h"
 #include "vtkImageData.h"
 #include "vtkInterpolationKernel.h"
 #include "vtkLinearKernel.h"
@@ -22,6 +26,7 @@
 #include "vtkPointInterpolator.h"
 #include "vtkPointSmoothingFilter.h"
 #include "vtkPoissonDiskSampler.h"
+#include "vtkProbeFilter.h"
 #include "vtkRadiusOutlierRemoval.h"
 #include "vtkSPHInterpolator.h"
 #include "vtkSPHQuinticKernel.h"
@@ -30,11 +35,13 @@
 #include "vtkStaticPointLocator.h"
 #include "vtkStatisticalOutlierRemoval.h"
 #include "vtkUnsignedDistance.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVoronoiKernel.h"
 
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 
 namespace
 {
@@ -87,6 +94,59 @@ void ExpectSameAttributes(vtkDataSetAttributes* expected, vtkDataSetAttributes* 
   {
     ExpectSameArray(expected->GetArray(i), actual->GetArray(i), expected->GetArrayName(i));
   }
+}
+
+/** Tetrahedra that fill [0, 3] on each axis, with a scalar. */
+vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra()
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(7, 7, 7);
+  image->SetSpacing(0.5, 0.5, 0.5);
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetName("scalars");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    scalars->InsertNextValue(static_cast<float>(i * i % 101));
+  }
+  image->GetPointData()->SetScalars(scalars);
+  vtkNew<vtkDataSetTriangleFilter> filter;
+  filter->SetInputData(image);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/** Cells that a strategy finds must be the same with our locator as with the static one. */
+template <typename Strategy>
+void ExpectSameCellsFrom()
+{
+  const auto mesh = MakeTetrahedra();
+  vtkNew<vtkStaticPointLocator> plain;
+  TestedLocator ours(mesh);
+  plain->SetDataSet(mesh);
+  const std::vector<double> queries = MakeUniformPoints<3, double>(500, 67, -0.3, 3.3);
+  std::vector<std::vector<vtkIdType>> cells;
+  for (vtkAbstractPointLocator* locator :
+    std::initializer_list<vtkAbstractPointLocator*>{ plain, ours.Get() })
+  {
+    vtkNew<Strategy> strategy;
+    strategy->SetPointLocator(locator);
+    ASSERT_TRUE(strategy->Initialize(mesh));
+    vtkNew<vtkGenericCell> cell;
+    cells.emplace_back();
+    for (std::size_t i = 0; i < queries.size(); i += 3)
+    {
+      double x[3];
+      std::copy_n(&queries[i], 3, x);
+      int subId = 0;
+      double parametric[3];
+      double weights[8];
+      cells.back().push_back(
+        strategy->FindCell(x, nullptr, cell, -1, 1e-12, subId, parametric, weights));
+    }
+  }
+  EXPECT_GT(ours->GetBuildTime(), 0U); // Has been used.
+  EXPECT_GT(std::set<vtkIdType>(cells[0].begin(), cells[0].end()).size(), 100U);
+  EXPECT_EQ(cells[0], cells[1]);
 }
 
 using Output = vtkSmartPointer<vtkDataSet>;
@@ -344,6 +404,35 @@ TEST(TestHashedOctreePointLocatorDropIn, UnsignedDistance)
       filter->SetBounds(-0.1, 1.1, -0.1, 1.1, -0.3, 0.3);
       filter->AdjustBoundsOff();
       filter->SetRadius(0.1);
+    });
+}
+
+TEST(TestHashedOctreePointLocatorDropIn, ClosestPointStrategy)
+{
+  ExpectSameCellsFrom<vtkClosestPointStrategy>();
+}
+
+TEST(TestHashedOctreePointLocatorDropIn, ClosestNPointsStrategy)
+{
+  ExpectSameCellsFrom<vtkClosestNPointsStrategy>();
+}
+
+TEST(TestHashedOctreePointLocatorDropIn, ProbeFilter)
+{
+  ExpectSameOutput(
+    [](vtkAbstractPointLocator* locator)
+    {
+      const auto mesh = MakeTetrahedra();
+      locator->SetDataSet(mesh);
+      vtkNew<vtkClosestNPointsStrategy> strategy;
+      strategy->SetPointLocator(locator);
+      vtkNew<vtkProbeFilter> filter;
+      filter->SetInputData(MakePointCloud(MakeUniformPoints<3, double>(500, 68, -0.3, 3.3)));
+      filter->SetSourceData(mesh);
+      filter->SetFindCellStrategy(strategy);
+      Output output = Execute(filter);
+      EXPECT_GT(filter->GetValidPoints()->GetNumberOfTuples(), 200);
+      return output;
     });
 }
 

@@ -60,13 +60,48 @@ TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
     EXPECT_EQ(locator->GetDepth(position), -1);
     EXPECT_EQ(locator->GetHitCost(position), 0);
     EXPECT_EQ(locator->GetClosestPointCost(position), 0);
+    EXPECT_EQ(locator->GetClosestNPointsCost(3, position), 0);
+    EXPECT_EQ(locator->GetPointsWithinRadiusCost(1.0, position), 0);
   }
+  const double box[6] = { -9, 9, -9, 9, -9, 9 };
+  EXPECT_EQ(locator->GetPointsWithinBoxCost(box), 0);
   locator->SetDataSet(MakePointCloud(std::vector<double>{ 1, 2, 3 }));
   EXPECT_EQ(locator->GetLeafId(x), 0);
   EXPECT_EQ(locator->GetDepth(x), 0);
   EXPECT_EQ(locator->GetHitCost(x), 1);
   EXPECT_EQ(locator->GetClosestPointCost(x), 1);
   EXPECT_EQ(locator->GetLeafId(notFinite), -1);
+}
+
+TEST(TestHashedOctreePointLocatorLeaves, LargerSearchesCostMore)
+{
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(20000, 193)));
+  locator->SetMaxPointsPerLeaf(4);
+  const double x[3] = { 0.4, 0.6, 0.5 };
+  EXPECT_EQ(locator->GetClosestNPointsCost(0, x), 0);
+  EXPECT_EQ(locator->GetPointsWithinRadiusCost(-1.0, x), 0);
+  EXPECT_EQ(locator->GetClosestNPointsCost(1, x), locator->GetClosestPointCost(x));
+  vtkIdType last = locator->GetClosestPointCost(x);
+  for (const int count : { 100, 1000, 10000 })
+  {
+    EXPECT_GT(locator->GetClosestNPointsCost(count, x), last) << count << " closest";
+    last = locator->GetClosestNPointsCost(count, x);
+  }
+  vtkIdType lastOfRadius = 0;
+  vtkIdType lastOfBox = 0;
+  for (const double radius : { 0.05, 0.15, 0.45 })
+  {
+    EXPECT_GT(locator->GetPointsWithinRadiusCost(radius, x), lastOfRadius) << radius;
+    lastOfRadius = locator->GetPointsWithinRadiusCost(radius, x);
+    const double box[6] = { x[0] - radius, x[0] + radius, x[1] - radius, x[1] + radius,
+      x[2] - radius, x[2] + radius };
+    EXPECT_GT(locator->GetPointsWithinBoxCost(box), lastOfBox) << radius;
+    lastOfBox = locator->GetPointsWithinBoxCost(box);
+  }
+  // What lies inside as a whole is not looked into.
+  const double everything[6] = { -1, 2, -1, 2, -1, 2 };
+  EXPECT_EQ(locator->GetPointsWithinBoxCost(everything), 1);
+  EXPECT_LT(locator->GetPointsWithinRadiusCost(1e9, x), 10);
 }
 
 TEST(TestHashedOctreePointLocatorLeaves, SearchesCostLessFromTheMedian)

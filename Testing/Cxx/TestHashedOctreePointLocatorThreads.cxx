@@ -7,6 +7,7 @@
 
 #include "vtkSMPTools.h"
 
+#include <array>
 #include <atomic>
 #include <thread>
 
@@ -19,65 +20,89 @@ struct Answers
   double Dist2;
   TestedLocator::Ids Few;
   TestedLocator::Ids Within;
+  TestedLocator::Ids InBox;
+  std::array<vtkIdType, 7> Costs;
 
   bool operator==(const Answers& other) const
   {
     return this->Closest == other.Closest && this->ClosestWithin == other.ClosestWithin &&
-      this->Dist2 == other.Dist2 && this->Few == other.Few && this->Within == other.Within;
+      this->Dist2 == other.Dist2 && this->Few == other.Few && this->Within == other.Within &&
+      this->InBox == other.InBox && this->Costs == other.Costs;
   }
 };
 
 /** One query of each kind; the order of the points within a radius counts, too. */
 Answers Ask(vtkHashedOctreePointLocator* locator, const double* x, vtkIdList* list)
 {
-  Answers answers{ -2, -2, -2.0, {}, {} };
+  Answers answers{ -2, -2, -2.0, {}, {}, {}, {} };
   answers.Closest = locator->FindClosestPoint(x);
   answers.ClosestWithin = locator->FindClosestPointWithinRadius(0.02, x, answers.Dist2);
   locator->FindClosestNPoints(8, x, list);
   answers.Few.assign(list->begin(), list->end());
   locator->FindPointsWithinRadius(0.1, x, list);
   answers.Within.assign(list->begin(), list->end());
+  const double box[6] = { x[0] - 0.1, x[0] + 0.1, x[1] - 0.1, x[1] + 0.1, x[2] - 0.1, x[2] + 0.1 };
+  locator->FindPointsWithinBox(box, list);
+  answers.InBox.assign(list->begin(), list->end());
+  answers.Costs = { locator->GetLeafId(x), locator->GetDepth(x), locator->GetHitCost(x),
+    locator->GetClosestPointCost(x), locator->GetClosestNPointsCost(8, x),
+    locator->GetPointsWithinRadiusCost(0.1, x), locator->GetPointsWithinBoxCost(box) };
   return answers;
+}
+
+/** Threads that all ask everything at once, each from another place on: how many answers are not
+ * the expected ones. */
+std::size_t CountOtherAnswers(vtkHashedOctreePointLocator* locator,
+  const std::vector<double>& queries, const std::vector<Answers>& expected,
+  unsigned numberOfThreads)
+{
+  std::atomic<std::size_t> wrong{ 0 };
+  std::vector<std::thread> threads;
+  for (unsigned thread = 0; thread < numberOfThreads; ++thread)
+  {
+    threads.emplace_back(
+      [&, thread]
+      {
+        vtkNew<vtkIdList> own;
+        for (std::size_t i = 0; i < expected.size(); ++i)
+        {
+          const std::size_t query = (i + thread * 37) % expected.size();
+          wrong += Ask(locator, &queries[3 * query], own) == expected[query] ? 0U : 1U;
+        }
+      });
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  return wrong;
 }
 }
 
 TEST(TestHashedOctreePointLocatorThreads, ManyThreadsGetTheAnswersOfOne)
 {
+  using Class = vtkHashedOctreePointLocator;
   const std::size_t numberOfQueries = Sanitized ? 300 : 3000;
   const auto cloud = MakePointCloud(MakeClusteredPoints<3, float>(5000, 41));
   const std::vector<double> queries = MakeUniformPoints<3, double>(numberOfQueries, 42, 0.2, 1.1);
   TestedLocator locator(cloud);
-  locator->BuildLocator();
-  std::vector<Answers> expected;
-  vtkNew<vtkIdList> list;
-  for (std::size_t i = 0; i < numberOfQueries; ++i)
+  locator->SetMaxPointsPerLeaf(8);
+  locator->SetFixedStartDepth(5);
+  for (const int model : { Class::Median, Class::Mean, Class::Root, Class::Fixed, Class::Local })
   {
-    expected.push_back(Ask(locator.Get(), &queries[3 * i], list));
-  }
-
-  for (const unsigned numberOfThreads : { 1U, 2U, 8U })
-  {
-    std::atomic<std::size_t> wrong{ 0 };
-    std::vector<std::thread> threads;
-    for (unsigned thread = 0; thread < numberOfThreads; ++thread)
+    locator->SetStartDepthModel(model);
+    locator->BuildLocator();
+    std::vector<Answers> expected;
+    vtkNew<vtkIdList> list;
+    for (std::size_t i = 0; i < numberOfQueries; ++i)
     {
-      threads.emplace_back(
-        [&, thread]
-        {
-          vtkNew<vtkIdList> own;
-          for (std::size_t i = 0; i < numberOfQueries; ++i)
-          {
-            // All threads ask everything, each from another place on.
-            const std::size_t query = (i + thread * 37) % numberOfQueries;
-            wrong += Ask(locator.Get(), &queries[3 * query], own) == expected[query] ? 0U : 1U;
-          }
-        });
+      expected.push_back(Ask(locator.Get(), &queries[3 * i], list));
     }
-    for (std::thread& thread : threads)
+    for (const unsigned numberOfThreads : { 1U, 2U, 8U })
     {
-      thread.join();
+      EXPECT_EQ(CountOtherAnswers(locator.Get(), queries, expected, numberOfThreads), 0U)
+        << numberOfThreads << " threads, model " << model;
     }
-    EXPECT_EQ(wrong, 0U) << numberOfThreads << " threads";
   }
 }
 

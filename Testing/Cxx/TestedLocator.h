@@ -148,6 +148,34 @@ public:
     }
   }
 
+  /** Whether the points in boxes are those that the oracle finds: on faces that go through points,
+   * with sides that are infinite, and in boxes that hold nothing. */
+  template <typename Oracle>
+  void ExpectBoxes(const Oracle& oracle, const Position& a, const Position& b)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+    const Position lower{ std::min(a[0], b[0]), std::min(a[1], b[1]), std::min(a[2], b[2]) };
+    const Position upper{ std::max(a[0], b[0]), std::max(a[1], b[1]), std::max(a[2], b[2]) };
+    std::vector<hashedoctree::Box<3>> boxes{ { lower, upper }, { a, a }, { upper, lower },
+      { { -infinity, -infinity, -infinity }, { infinity, infinity, infinity } } };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      for (const double side : { infinity, -infinity, notANumber })
+      {
+        boxes.push_back({ lower, upper });
+        boxes.back().Upper[axis] = side;
+        boxes.push_back({ lower, upper });
+        boxes.back().Lower[axis] = side;
+      }
+    }
+    for (const hashedoctree::Box<3>& box : boxes)
+    {
+      ASSERT_EQ(this->FindWithinBox(box.Lower, box.Upper), oracle.FindWithin(box))
+        << ::testing::PrintToString(box.Lower) << ::testing::PrintToString(box.Upper);
+    }
+  }
+
 private:
   /** No query may keep anything of what was in the list before. */
   void MakeListDirty()

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the locator does when memory ends: in a build, in a batch, and on threads of vtkSMPTools.
+#include "PointSamples.h"
+#include "Sanitized.h"
+#include "TestedLocator.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkSMPTools.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace
+{
+constexpr std::size_t Megabyte = std::size_t(1) << 20;
+
+/** While it lives, this process gets so many more bytes and no more. */
+class MemoryLimit
+{
+public:
+  explicit MemoryLimit(std::size_t bytes)
+  {
+    getrlimit(RLIMIT_AS, &this->Before);
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit limit = this->Before;
+    limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + bytes;
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  ~MemoryLimit() { setrlimit(RLIMIT_AS, &this->Before); }
+  MemoryLimit(const MemoryLimit&) = delete;
+  void operator=(const MemoryLimit&) = delete;
+
+private:
+  rlimit Before{};
+};
+
+/** There must have been one error, with these words. */
+void ExpectError(TestedLocator& locator, const std::string& words)
+{
+  ASSERT_EQ(locator.Errors.size(), 1U);
+  EXPECT_NE(locator.Errors[0].find(words), std::string::npos) << locator.Errors[0];
+  locator.Errors.clear();
+}
+
+/** Tests of this kind; a sanitizer reserves more addresses than any limit here. */
+class TestHashedOctreePointLocatorMemory : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (Sanitized)
+    {
+      GTEST_SKIP() << "sanitizers reserve more memory than the limit";
+    }
+  }
+  void TearDown() override { vtkSMPTools::Initialize(0); }
+};
+}
+
+TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
+{
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(100000, 261)));
+  locator->SetMaxPointsPerLeaf(1);
+  locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
+  const double x[3] = { 0.5, 0.5, 0.5 };
+  std::size_t failures = 0;
+  for (std::size_t bytes = 0;; bytes += Megabyte / 2)
+  {
+    locator->FreeSearchStructure();
+    {
+      const MemoryLimit limit(bytes);
+      locator->BuildLocator();
+    }
+    if (locator.Errors.empty())
+    {
+      break;
+    }
+    ++failures;
+    ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for the index"));
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectToFindNothing());
+    ASSERT_EQ(locator->GetLeafId(x), -1);
+    ASSERT_EQ(locator->GetHitCost(x), 0);
+    ASSERT_EQ(locator->GetLevel(), 0);
+    ASSERT_EQ(locator->GetNumberOfBuckets(), 0);
+    ASSERT_GT(locator->GetBounds()[0], locator->GetBounds()[1]);
+    vtkNew<vtkDoubleArray> queries;
+    queries->SetNumberOfComponents(3);
+    queries->InsertNextTuple(x);
+    vtkNew<vtkIdTypeArray> ids;
+    vtkNew<vtkDoubleArray> dist2;
+    ASSERT_FALSE(locator->FindClosestPoints(queries, ids, dist2));
+  }
+  EXPECT_GT(failures, 10U);
+  EXPECT_GE(locator->FindClosestPoint(x), 0);
+}
+
+TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatFindsTooMuchIsEmpty)
+{
+  // All points for each of the positions: half a gigabyte.
+  const std::vector<double> coordinates = MakeUniformPoints<3, double>(20000, 262);
+  TestedLocator locator(MakePointCloud(coordinates));
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < 1500; ++i)
+  {
+    queries->InsertNextTuple(&coordinates[3 * i]);
+  }
+  for (const auto& [backend, threads] : { std::pair("Sequential", 1), { "STDThread", 2 } })
+  {
+    SCOPED_TRACE(backend);
+    vtkSMPTools::SetBackend(backend);
+    vtkSMPTools::Initialize(threads);
+    locator->BuildLocator();
+    vtkNew<vtkIdTypeArray> offsets;
+    vtkNew<vtkIdTypeArray> ids;
+    vtkNew<vtkDoubleArray> dist2;
+    {
+      const MemoryLimit limit(250 * Megabyte);
+      EXPECT_FALSE(locator->FindPointsWithinRadius(10.0, queries, offsets, ids, dist2));
+    }
+    ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the batch finds"));
+    EXPECT_EQ(offsets->GetNumberOfValues(), 0);
+    EXPECT_EQ(ids->GetNumberOfValues(), 0);
+    EXPECT_EQ(dist2->GetNumberOfValues(), 0);
+    EXPECT_TRUE(locator->FindPointsWithinRadius(0.0, queries, offsets, ids, dist2));
+    EXPECT_EQ(ids->GetNumberOfValues(), queries->GetNumberOfTuples());
+  }
+}
