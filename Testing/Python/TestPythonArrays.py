@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Batches of searches with NumPy arrays, against comparing with every point."""
 import numpy
+from vtkmodules.vtkCommonCore import reference, vtkIdList
 from hashedoctree import vtkHashedOctreePointLocator
 from hashedoctree.arrays import (
     find_closest_n_points, find_closest_points, find_points_within_radius, make_points)
@@ -14,6 +15,30 @@ def expect_error(kind, function, *arguments):
     except kind:
         return
     raise AssertionError(f"no {kind.__name__}")
+
+
+def expect_single_queries_to_find(locator, x, order, within):
+    """The queries for one position, in the forms with x and with x, y and z."""
+    ids = vtkIdList()
+    for position in ((x,), tuple(x)):
+        assert locator.FindClosestPoint(*position) == order[0]
+        locator.FindClosestNPoints(9, *position, ids)
+        assert ids_of(ids) == order[:9].tolist()
+        locator.FindPointsWithinRadius(0.1, *position, ids)
+        assert sorted(ids_of(ids)) == sorted(within)
+    dist2 = reference(-1.0)
+    assert locator.FindClosestPointWithinRadius(0.1, x, dist2) == (order[0] if len(within) else -1)
+    assert (dist2.get() >= 0.0) == (len(within) > 0)
+    box = numpy.column_stack((x - 0.1, x + 0.1)).ravel()
+    locator.FindPointsWithinBox(box, ids)
+    assert set(within) <= set(ids_of(ids))
+    assert locator.GetLeafId(x) >= -1 and locator.GetDepth(x) >= 0 and locator.GetHitCost(x) >= 1
+    assert locator.GetClosestNPointsCost(1, x) == locator.GetClosestPointCost(x) >= 1
+    assert locator.GetPointsWithinBoxCost(box) >= 1
+
+
+def ids_of(ids):
+    return [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
 
 
 for dtype in (numpy.float32, numpy.float64):
@@ -40,6 +65,7 @@ for dtype in (numpy.float32, numpy.float64):
         found = ids[offsets[i]:offsets[i + 1]]
         assert (found == order[i, :len(found)]).all()
         assert len(found) == (all_dist2[i] <= 0.1 * 0.1).sum()
+        expect_single_queries_to_find(locator, positions[i].astype(float), order[i], found)
 
 # Layouts and types that are not read where they are, and results that outlive everything.
 ids, _ = find_closest_points(locator, numpy.asfortranarray(positions))
