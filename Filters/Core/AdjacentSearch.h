@@ -12,11 +12,11 @@ namespace hashedoctree
 /**
  * Adjacent search (paper Algorithm 2): the leaves around a node, touching its cell by a face, an
  * edge or a corner. It is the second option of paper section 3b. The cells of the node's own depth
- * around it are looked at, none beyond the border of the root (paper #26): up to 3^Dim - 1, in 3D
- * 26, of which 2^Dim - 1 are its siblings. Where one is a leaf, it is found (case 1); where it is
- * internal, the search goes down into the children that touch the node only (case 2, E2); where
- * it does not exist, the leaf above is found by a direct search from min(startDepth, the node's
- * depth - 1) (case 3, E5).
+ * around it are looked at, none beyond the border of the root (row 26 of README): up to 3^Dim - 1,
+ * in 3D 26, of which 2^Dim - 1 are its siblings. Where one is a leaf, it is found (case 1); where
+ * it is internal, the search goes down into the children that touch the node only (case 2, E2);
+ * where it does not exist, the leaf above is found by a direct search from min(startDepth, the
+ * node's depth - 1) (case 3, E5).
  *
  * The 3^Dim - 1 cells are children of 2^Dim cells at most, so that reaching them takes that many
  * table accesses, and going down one for each internal node; those that are known together are made
@@ -33,7 +33,8 @@ namespace hashedoctree
  * `startDepth`, any depth in [0, MortonKey::MaxDepth], changes the cost, never the answer. The leaf
  * above most often lies just above: MaxDepth, which climbs to it from parent to parent, examines no
  * more nodes than the median of all leaves on any of the standing samples, against what the paper
- * expects (#25). NodeStartDepths.h has the one that examines the fewest, for each node.
+ * expects (row 25 of README). NodeStartDepths.h has the one that examines the fewest, for each
+ * node.
  *
  * Counted are the neighbours of the node's depth that are seen in their parents, one for each
  * parent that turns out to have no children, the children that case 2 looks at, and the nodes that

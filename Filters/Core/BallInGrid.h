@@ -102,17 +102,17 @@ private:
   static constexpr double Rounding = 1e-9;
   static constexpr double RelativeRounding = 1e-12;
   static constexpr double MostExact = 1e280;
-  static constexpr double Size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
 
   // The cell at a place, or nearest to it; where the place is no number, the first, or the last.
   static std::uint32_t GetLowerCell(double place)
   {
     place = place > 0.0 ? place : 0.0;
-    return static_cast<std::uint32_t>(place < Size - 1.0 ? place : Size - 1.0);
+    return static_cast<std::uint32_t>(
+      place < Key::CellsPerSide - 1.0 ? place : Key::CellsPerSide - 1.0);
   }
   static std::uint32_t GetUpperCell(double place)
   {
-    place = place < Size - 1.0 ? place : Size - 1.0;
+    place = place < Key::CellsPerSide - 1.0 ? place : Key::CellsPerSide - 1.0;
     return static_cast<std::uint32_t>(place > 0.0 ? place : 0.0);
   }
 

@@ -52,14 +52,14 @@ private:
   static constexpr std::size_t Grain = 8192;         ///< Positions that a thread encodes at a time.
   static constexpr std::size_t SampleDistance = 61;  ///< From one position that is looked at to
                                                      ///< the next; in no step with rows of 2^n.
-  /** Positions in a cell so much above most points' leaves are near each other in memory. */
-  static constexpr int LevelsTogether = 3;
+  /** Positions in one cell so many depths above most points' leaves count as near each other. */
+  static constexpr int DepthsTogether = 3;
 
   template <typename Positions>
   static bool AreTogether(
     const Octree<Dim>& nodes, const Positions& positions, std::size_t first, std::size_t last)
   {
-    const int depth = GetMedianDepth(nodes.GetDepthCounts().Points) - LevelsTogether;
+    const int depth = GetMedianDepth(nodes.GetDepthCounts().Points) - DepthsTogether;
     std::size_t looks = 0;
     std::size_t together = 0;
     for (std::size_t i = first; i + 1 < last; i += SampleDistance)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosestFew.h"
 
+#include "DistanceKernels.h"
 #include "Lanes.h"
 
 #include <algorithm>
@@ -11,6 +12,9 @@
 
 namespace hashedoctree
 {
+static_assert(DistanceKernels<3, float>::MostPoints <= RankedPoints::MostPoints,
+  "the points that are measured at a time are added at a time");
+
 bool ClosestFew::HasVectors()
 {
   return HasAvx2();

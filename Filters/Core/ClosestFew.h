@@ -37,7 +37,7 @@ public:
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
 
   /** `ids` must stay as they are until CopyTo(); `dist2` is what DistanceKernels::ToPoints() has
-   * written, of at most 64 points. */
+   * written, of at most RankedPoints::MostPoints. */
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count);
   void CopyTo(std::vector<FoundPoint>& found) const;
 

@@ -11,7 +11,9 @@ namespace hashedoctree
  * [l, l + 1] as a parabola that vanishes at both ends; the parabola stands for the PRODUCT p_l *
  * f_l (two parabolas multiplied would have another area, paper E8). Its derivative is F - (1 - F)
  * for the distribution F of the weight, so the minimiser is the continuous median, and the integer
- * part of that is the cheapest start depth (E9).
+ * part of that is a cheapest start depth (E9): the only one, unless exactly half of the weight lies
+ * up to some depth. Then that depth, which GetMedianDepth() gives (E23), and the next, which this
+ * gives, are equally cheap.
  *
  * A depth's weight is centred at l + 1/2. So the cost at h + 1/2 belongs to the start depth h, and
  * exceeds the discrete cost there by 3/16 of the share of depth h, exactly: it does not interpolate

@@ -9,7 +9,8 @@
 namespace hashedoctree
 {
 /** How often a leaf is searched for (paper section 4): once (Leaves), once for each of its points
- * (Points), or in proportion to its volume (Grid). */
+ * (Points; no function of the depth, only the points of each depth are needed, E13), or in
+ * proportion to its volume (Grid). */
 enum class FrequencyModel
 {
   Leaves,

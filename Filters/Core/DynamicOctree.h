@@ -9,7 +9,7 @@
 namespace hashedoctree
 {
 /**
- * A hashed octree whose points come, go and move one by one (paper section 4 and #40). After any
+ * A hashed octree whose points come, go and move one by one (paper section 4). After any
  * sequence of changes it has the nodes, the counts per depth and so the start depths of an Octree
  * that is built over the same points in the same root with the same options. Use Octree for points
  * that stay: it has them in Morton order, and threads build it.
@@ -66,7 +66,8 @@ public:
   bool Erase(std::uint32_t id);
 
   /** Erase() and Insert() in one, at less cost where the point stays in its leaf. False, and
-   * nothing has changed, where there is none of this id. Throws as Insert(). */
+   * nothing has changed, where there is none of this id. Throws std::invalid_argument for a
+   * position that is not finite, and std::length_error, as Insert() does. */
   bool Move(std::uint32_t id, const Position<Dim>& x);
 
   bool HasPoint(std::uint32_t id) const

@@ -38,8 +38,8 @@ typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
   for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
   {
     const Key key = tree.GetBlockKey(block);
-    const int levels = this->Depth - key.GetDepth();
-    if (levels <= 0)
+    const int depths = this->Depth - key.GetDepth();
+    if (depths <= 0)
     {
       break;
     }
@@ -47,7 +47,7 @@ typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
       const bool isLeaf = (octants.Internal >> octant & 1U) == 0;
-      if ((octants.Occupied >> octant & 1U) == 0 || (!isLeaf && levels > 1))
+      if ((octants.Occupied >> octant & 1U) == 0 || (!isLeaf && depths > 1))
       {
         continue;
       }
@@ -58,8 +58,8 @@ typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
         constexpr std::uint32_t steps = ChildBoxes<Dim>::Steps;
         const std::uint32_t first = lower[axis] * steps + boxes[block].Lower[axis][octant];
         const std::uint32_t last = upper[axis] * steps + boxes[block].Upper[axis][octant];
-        lower[axis] = (first << levels) / steps;
-        upper[axis] = (((last + 1) << levels) - 1) / steps;
+        lower[axis] = (first << depths) / steps;
+        upper[axis] = (((last + 1) << depths) - 1) / steps;
       }
       this->AddCells(lower, upper, cells);
     }

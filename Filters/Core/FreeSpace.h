@@ -24,7 +24,8 @@ template <int Dim>
 class FreeSpace
 {
 public:
-  /** Depth of the coarse cells: at most 2^15 of them, one byte each, and no more than points. */
+  /** Depth of the coarse cells: at most 2^15 of them, one byte each, and no more than points. A row
+   * of them is one word of 2^6 bits. */
   static constexpr int MostDepth = std::min(15 / Dim, 6);
 
   /** Nowhere. */

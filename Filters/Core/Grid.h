@@ -58,12 +58,13 @@ struct Box
 
 /**
  * World coordinates to the integer cells of the smallest depth, and back. This is the only place
- * that rounds, with GridCells.h, which does the same to many at once: everything else works on
- * integer keys, so a point and its leaf can never disagree.
+ * that rounds points to cells, with GridCells.h, which does the same to many at once: trees are
+ * built of integer keys, so a point and its leaf can never disagree. Searches that measure lengths
+ * (BallInGrid, PointBoxWalk, NodeBall) say how they round.
  *
  * The root cube has the lower corner of the box and its largest extent as side, or side 1 where
  * the box is a single point. Cells are half open, but for those on the upper faces of the cube,
- * which hold the points on these faces.
+ * which hold the points on these faces (paper E1: there x = 1 would fall into a cell beyond).
  */
 template <int Dim>
 class Grid
@@ -91,8 +92,7 @@ public:
     {
       this->Side = 1.0;
     }
-    this->CellSize = std::ldexp(this->Side, -Key::MaxDepth);
-    this->CellsPerLength = 1.0 / this->CellSize;
+    this->CellsPerLength = 1.0 / std::ldexp(this->Side, -Key::MaxDepth);
   }
 
   const Position<Dim>& GetLower() const { return this->Lower; }
@@ -100,18 +100,16 @@ public:
   double GetSide() const { return this->Side; }
   /** Side of the cells at a depth, in world units. */
   double GetSide(int depth) const { return std::ldexp(this->Side, -depth); }
-  /** Side of the cells at MaxDepth, in world units, and its inverse. */
-  double GetCellSize() const { return this->CellSize; }
+  /** Cells of MaxDepth along a world unit. */
   double GetCellsPerLength() const { return this->CellsPerLength; }
 
   /** Cell coordinate at MaxDepth: floor((x - lower) / side * 2^MaxDepth), brought into the cube.
    * Positions outside the cube get the cell nearest to them on this axis, NaN gets 0. */
   std::uint32_t GetCellCoordinate(double x, int axis) const
   {
-    constexpr double size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
-    double t = (x - this->Lower[axis]) / this->Side * size;
+    double t = (x - this->Lower[axis]) / this->Side * Key::CellsPerSide;
     t = t > 0.0 ? t : 0.0;
-    t = t < size - 1.0 ? t : size - 1.0;
+    t = t < Key::CellsPerSide - 1.0 ? t : Key::CellsPerSide - 1.0;
     return static_cast<std::uint32_t>(t);
   }
 
@@ -145,7 +143,6 @@ public:
 private:
   Position<Dim> Lower;
   double Side;
-  double CellSize;
   double CellsPerLength;
 };
 }

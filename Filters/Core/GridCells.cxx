@@ -18,7 +18,7 @@ template <int Dim, typename Real>
 HASHEDOCTREE_INLINE void ComputeCells(
   const Grid<Dim>& grid, const Real* coordinates, std::size_t count, Cell<Dim>* cells)
 {
-  constexpr double size = static_cast<double>(std::uint64_t(1) << MortonKey<Dim>::MaxDepth);
+  constexpr double size = MortonKey<Dim>::CellsPerSide;
   const Doubles zero = {};
   const Doubles last = zero + (size - 1.0);
   const Doubles side = zero + grid.GetSide();

@@ -82,7 +82,8 @@ private:
     this->Require(node.Internal ==
         (node.GetNumberOfPoints() > options.MaxPointsPerLeaf &&
           node.NodeKey.GetDepth() < options.MaxDepth),
-      "a node is internal just when it holds more than a bucket above MaxDepth", node.NodeKey);
+      "a node is internal just when it holds more than MaxPointsPerLeaf points above MaxDepth",
+      node.NodeKey);
     if (node.Internal)
     {
       this->WalkChildren(node, block);

@@ -4,6 +4,9 @@
 
 #include "DirectSearch.h"
 
+#include <limits>
+#include <stdexcept>
+
 namespace hashedoctree
 {
 /**
@@ -17,11 +20,17 @@ class LeafNumbers
 public:
   LeafNumbers() = default;
 
-  /** O(internal nodes). */
+  /** O(internal nodes). Throws std::length_error where a PointIndex cannot number the leaves, which
+   * only empty ones can make so many. */
   explicit LeafNumbers(const Octree<Dim>& tree, EmptyOctants reading = EmptyOctants::Missing)
     : First(tree.GetNumberOfInternalNodes())
     , Reading(reading)
   {
+    if (tree.GetNumberOfLeaves(reading) > std::numeric_limits<PointIndex>::max())
+    {
+      throw std::length_error(
+        "The tree has more leaves than can be numbered; leave out empty ones.");
+    }
     PointIndex number = 0;
     for (std::size_t block = 0; block < this->First.GetSize(); ++block)
     {

@@ -41,6 +41,8 @@ public:
    * a cell's coordinates are 32-bit integers, 15 in 4D. */
   static constexpr int MaxDepth = 63 / Dim < 31 ? 63 / Dim : 31;
   static constexpr int NumberOfOctants = 1 << Dim;
+  /** Cells of MaxDepth along a side of the root. */
+  static constexpr double CellsPerSide = static_cast<double>(std::uint64_t(1) << MaxDepth);
 
   /** MortonKey() is key 0; a variable without initialiser holds nothing yet, so that large arrays
    * of keys cost nothing before they are filled. */
@@ -52,7 +54,8 @@ public:
 
   static constexpr MortonKey Root() { return MortonKey(1); }
 
-  /** Key of a cell of the grid at `depth`, in [0, MaxDepth], by dilation. */
+  /** Key of a cell of the grid at `depth`, in [0, MaxDepth], by dilation. The lowest bit of an axis
+   * is its least significant one (paper E1). */
   static constexpr MortonKey FromCell(const Cell<Dim>& cell, int depth)
   {
     std::uint64_t value = std::uint64_t(1) << (Dim * depth);

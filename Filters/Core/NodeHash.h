@@ -40,9 +40,8 @@ private:
 };
 
 /**
- * A multiplicative hash: the key times an odd constant (2^64 over the golden ratio), of which the
- * upper half is scaled to the number of slots, so that a table need not be a power of two and its
- * load is always 1/2.
+ * A multiplicative hash: the key times an odd constant (2^64 over the golden ratio), scaled to the
+ * number of slots, so that a table need not be a power of two and its load is always 1/2.
  */
 class MixingHash
 {
@@ -55,8 +54,9 @@ public:
   std::size_t GetNumberOfSlots() const { return static_cast<std::size_t>(this->NumberOfSlots); }
   std::size_t GetSlot(std::uint64_t key) const
   {
-    const std::uint64_t mixed = (key * 0x9e3779b97f4a7c15U) >> 32;
-    return static_cast<std::size_t>(mixed * this->NumberOfSlots >> 32);
+    __extension__ using Product = unsigned __int128;
+    const std::uint64_t mixed = key * 0x9e3779b97f4a7c15U;
+    return static_cast<std::size_t>(Product(mixed) * this->NumberOfSlots >> 64);
   }
 
 private:

@@ -10,7 +10,7 @@ namespace hashedoctree
 {
 /**
  * For every node the start depth from which its adjacent search examines the fewest nodes (end of
- * paper section 4, #41). The paper asks for the median of a distribution of its own for each node,
+ * paper section 4). The paper asks for the median of a distribution of its own for each node,
  * and uses it in case 3 only; so it is the median of the depths of those leaves that case 3 of the
  * search for this node finds, each weighing one, with the ties of GetMedianDepth(). 0 where there
  * is no case 3.

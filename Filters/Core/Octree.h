@@ -19,8 +19,11 @@ namespace hashedoctree
 /** How the octants of an internal node that hold no point are read. */
 enum class EmptyOctants
 {
-  Leaves, ///< Complete tree: every internal node has 2^Dim children, empty leaves among them.
-  Missing ///< Sparse tree: there is no node, and a search ends in an empty cell (paper E4).
+  /** Complete tree: every internal node has 2^Dim children, empty leaves among them. In the paper's
+   * complete trees these are most of the leaves (E21); none takes memory here. */
+  Leaves,
+  /** Sparse tree: there is no node, and a search ends in an empty cell (paper E4). */
+  Missing
 };
 
 /** One bit for each octant. */
@@ -42,12 +45,12 @@ class OctreeBuilder;
 /**
  * A hashed octree over points (paper section 2), or the 2^Dim-tree of other dimensions.
  *
- * A node is split while it holds more than MaxPointsPerLeaf points and is not at MaxDepth. Only
- * internal nodes are stored, each as one block and its octants, which describe its 2^Dim children:
- * which of them are internal, where these stand, and where the points of each child begin in the
- * Morton order of the points. A leaf, empty or not, needs no memory of its own. Going down reads
- * blocks; reaching a node directly by its key reads one slot of the table, under the key of the
- * parent.
+ * A node is split while it holds more than MaxPointsPerLeaf points, with 1 the paper's rule (E6),
+ * and is not at MaxDepth. Only internal nodes are stored, each as one block and its octants, which
+ * describe its 2^Dim children: which of them are internal, where these stand, and where the points
+ * of each child begin in the Morton order of the points. A leaf, empty or not, needs no memory of
+ * its own. Going down reads blocks; reaching a node directly by its key reads one slot of the
+ * table, under the key of the parent.
  *
  * Invariants (Invariants.h checks them):
  * - blocks are ordered by depth, then by key, so parents come before children and the internal

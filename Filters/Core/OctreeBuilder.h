@@ -80,14 +80,14 @@ private:
   };
   DepthRange GetInternalNodesAt(std::size_t i) const
   {
-    const std::size_t bucket = this->Tree.BuildOptions.MaxPointsPerLeaf;
+    const std::size_t most = this->Tree.BuildOptions.MaxPointsPerLeaf;
     DepthRange depths{ 0, -1 };
-    if (bucket >= this->Points.GetSize() - i)
+    if (most >= this->Points.GetSize() - i)
     {
       return depths;
     }
     const Key key = this->Points[i].GetKey();
-    const Key after = this->Points[i + bucket].GetKey();
+    const Key after = this->Points[i + most].GetKey();
     const Key before = i == 0 ? Key() : this->Points[i - 1].GetKey();
     // Says no for most points, at once.
     if ((key.GetValue() ^ after.GetValue()) < (key.GetValue() ^ before.GetValue()))

@@ -72,6 +72,9 @@ public:
 
   /** More than rounding does to a place, or a square. */
   static constexpr double FarError = 4e-15;
+  /** More than the rest of the rounding of a distance in steps, near and relative to the place. */
+  static constexpr double Slack = 1e-3;
+  static constexpr double FarthestError = 1e-9;
 
   /** How much further than a reach a measured distance may be, as a factor, if the true one is
    * within. */
@@ -98,7 +101,7 @@ public:
       for (int axis = 0; axis < Dim; ++axis)
       {
         const double t = this->Steps[axis];
-        const double slack = 1e-3 + FarError * std::abs(t);
+        const double slack = Slack + FarError * std::abs(t);
         const double below = boxes.Lower[axis][octant] - t - slack;
         const double above = t - slack - (boxes.Upper[axis][octant] + 1.0);
         const double distance = std::max(0.0, std::max(below, above));
@@ -118,7 +121,7 @@ public:
       const double t = this->Steps[axis];
       const double toLower = t - boxes.Lower[axis][octant];
       const double toUpper = boxes.Upper[axis][octant] + 1.0 - t;
-      const double distance = std::max(toLower, toUpper) + 1e-3 + 1e-9 * std::abs(t);
+      const double distance = std::max(toLower, toUpper) + Slack + FarthestError * std::abs(t);
       sum += distance * distance;
     }
     return sum;

@@ -32,8 +32,10 @@ public:
     const Grid<Dim>& grid = this->Nodes.GetGrid();
     for (int axis = 0; axis < Dim; ++axis)
     {
-      this->Lower[axis] = (box.Lower[axis] - grid.GetLower()[axis]) / grid.GetSide() * Size;
-      this->Upper[axis] = (box.Upper[axis] - grid.GetLower()[axis]) / grid.GetSide() * Size;
+      this->Lower[axis] =
+        (box.Lower[axis] - grid.GetLower()[axis]) / grid.GetSide() * Key::CellsPerSide;
+      this->Upper[axis] =
+        (box.Upper[axis] - grid.GetLower()[axis]) / grid.GetSide() * Key::CellsPerSide;
     }
   }
 
@@ -53,7 +55,6 @@ public:
 
 private:
   using Key = MortonKey<Dim>;
-  static constexpr double Size = static_cast<double>(std::uint64_t(1) << Key::MaxDepth);
   /** More than all rounding of places in the root can add up to, in cells of MaxDepth. */
   static constexpr double RoomForRounding = 1e-5;
 

@@ -17,10 +17,10 @@ namespace hashedoctree
  * The input may go away once the tree is built.
  *
  * Nested trees: keys end at MortonKey::MaxDepth, and a leaf there may hold any number of points.
- * One that holds more than a bucket, and not all at one place, gets a tree of its own in its own
- * box, with the same options, so that no search is linear in the number of points unless they
- * coincide. (Not where the options ask for less depth: then the leaves are as large as was asked
- * for.)
+ * One that holds more than MaxPointsPerLeaf, and not all at one place, gets a tree of its own in
+ * its own box, with the same options, so that no search is linear in the number of points unless
+ * they coincide. (Not where the options ask for less depth: then the leaves are as large as was
+ * asked for.)
  *
  * Immutable but for the start depths; const members may be called from many threads at once.
  */
@@ -72,7 +72,7 @@ public:
   std::uint32_t GetFork(std::size_t block) const { return this->Forks[block]; }
 
   /** Whether points at different places are parted however near they are: then a leaf of more
-   * points than a bucket has a nested tree, or all of them are at one place, by id. */
+   * points than MaxPointsPerLeaf has a nested tree, or all of them are at one place, by id. */
   bool PartsAllPlaces() const
   {
     return this->Tree.GetOptions().MaxDepth == MortonKey<Dim>::MaxDepth;

@@ -211,11 +211,11 @@ private:
     {
       leaf = leaf.GetParent();
     }
-    const int levels = depth - leaf.GetDepth();
+    const int depths = depth - leaf.GetDepth();
     for (int axis = 0; axis < Dim; ++axis)
     {
       const std::uint32_t lower = this->Ball.GetLower()[axis] >> shift;
-      if (cell[axis] != std::max(lower, cell[axis] >> levels << levels))
+      if (cell[axis] != std::max(lower, cell[axis] >> depths << depths))
       {
         return;
       }

@@ -8,7 +8,7 @@ namespace hashedoctree
 {
 /**
  * The histogram of what is really searched for: how many of the given positions lie in leaves of
- * each depth. It is the p_l * f_l of the paper (section 4, paper #31 to #34) with f measured from a
+ * each depth. It is the p_l * f_l of the paper (section 4) with f measured from a
  * second set of points instead of being modelled, from depth 0 to the tree's deepest.
  *
  * Positions outside the root count for the leaf nearest to them, as in Grid; those that are not

@@ -14,9 +14,9 @@ namespace hashedoctree
  * of a leaf are put among them all at once: the place of each is the number of those before it,
  * which is counted without a branch whose way is hard to foresee. Private to ClosestFew.
  *
- * What is counted are the upper halves of the distances, eight at a time where the machine has
- * AVX2. As whole numbers they are in the order of the distances, since none of these is negative.
- * Where they are equal and the distances are not, all of the distances is compared. Equally near
+ * Compared are the upper halves of the distances, eight at a time where the machine has AVX2. As
+ * whole numbers they are in the order of the distances, since none of these is negative. Where two
+ * are equal and the distances are not, whole distances are compared. Equally near
  * points are left in the order of the leaf, which at one place is that of their ids, and sorted
  * where need be.
  */

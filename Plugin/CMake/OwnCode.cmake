@@ -10,7 +10,9 @@ function (hashedoctree_own_code target)
   endif ()
   # Clang's -Wconversion holds -Wsign-conversion, GCC's does not.
   target_compile_options("${target}" PRIVATE
-    -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+    -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
+    # Distances are sums of rounded squares, on machines that can fuse the two as well.
+    -ffp-contract=off)
   if (HASHEDOCTREE_WERROR)
     target_compile_options("${target}" PRIVATE -Werror)
   endif ()

@@ -117,6 +117,27 @@ TEST(TestContinuousCost, FloorOfTheMinimiserIsTheMedian)
   EXPECT_GT(wronglyRounded, 500);
 }
 
+TEST(TestContinuousCost, FloorOfTheMinimiserIsACheapestDepthInTies)
+{
+  std::mt19937 random(95);
+  int ties = 0;
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    DepthHistogram histogram(1 + random() % 8);
+    for (std::uint64_t& weight : histogram)
+    {
+      weight = random() % 3;
+    }
+    histogram.back() = 1;
+    const int median = GetMedianDepth(histogram);
+    const int floor = static_cast<int>(std::floor(ContinuousCost(histogram).GetMinimiser()));
+    ASSERT_EQ(GetMeanCost(histogram, floor), GetMeanCost(histogram, median));
+    ASSERT_TRUE(floor == median || floor == median + 1) << floor << " " << median;
+    ties += floor == median ? 0 : 1;
+  }
+  EXPECT_GT(ties, 100);
+}
+
 TEST(TestContinuousCost, NoWeight)
 {
   const ContinuousCost cost(DepthHistogram{ 0, 0 });

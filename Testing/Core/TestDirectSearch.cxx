@@ -6,6 +6,37 @@
 
 using namespace hashedoctree;
 
+namespace
+{
+/** A tree that remembers the keys that a search looks up. */
+template <int Dim>
+class RecordedTree
+{
+public:
+  using Entry = typename Octree<Dim>::Entry;
+
+  explicit RecordedTree(const Octree<Dim>& tree)
+    : Tree(tree)
+  {
+  }
+  const RecordedTree& GetTable() const { return *this; }
+  bool IsRootInternal() const { return this->Tree.IsRootInternal(); }
+  std::size_t GetNumberOfPoints() const { return this->Tree.GetNumberOfPoints(); }
+
+  void Prefetch(std::uint64_t) const {}
+  const Entry* Find(std::uint64_t key) const
+  {
+    this->LookedUp.push_back(key);
+    return this->Tree.GetTable().Find(key);
+  }
+
+  mutable std::vector<std::uint64_t> LookedUp;
+
+private:
+  const Octree<Dim>& Tree;
+};
+}
+
 template <typename Dimension>
 class TestDirectSearch : public ::testing::Test
 {
@@ -82,16 +113,26 @@ TYPED_TEST(TestDirectSearch, EveryPointIsFoundInItsLeaf)
   }
 }
 
-TEST(TestDirectSearchFacts, RootStartLooksAtEveryAncestor)
+TYPED_TEST(TestDirectSearch, FromTheRootEveryAncestorIsLookedUpInOrder)
 {
-  // Start depth 0 is the classical search (paper section 3a): depth + 1 nodes.
-  const SampleTree<3, double> made(
-    PointSample<3, double>{ "sphere", MakeSpherePoints<3, double>(2000, 71) });
+  // Start depth 0 is the classical search (paper section 3a).
+  constexpr int dim = TestFixture::Dim;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "clusters", MakeClusteredPoints<dim, double>(2000, 71) });
   ForEachLeaf(made.Tree,
     [&made](const auto& leaf)
     {
-      ASSERT_EQ(CountExaminedNodes(made.Tree, leaf.NodeKey.GetFirstAtMaxDepth(), 0),
-        static_cast<std::uint64_t>(leaf.NodeKey.GetDepth() + 1));
+      const MortonKey<dim> key = leaf.NodeKey.GetFirstAtMaxDepth();
+      std::vector<std::uint64_t> ancestors;
+      for (int depth = 0; depth < leaf.NodeKey.GetDepth(); ++depth)
+      {
+        ancestors.push_back(key.AtDepth(depth).GetValue());
+      }
+      const RecordedTree<dim> recorded(made.Tree);
+      NodeCount count;
+      ASSERT_EQ(FindLeaf(recorded, key, 0, count).Key, leaf.NodeKey);
+      ASSERT_EQ(recorded.LookedUp, ancestors);
+      ASSERT_EQ(count.Nodes, ancestors.size() + 1);
     });
 }
 

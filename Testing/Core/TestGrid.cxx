@@ -29,14 +29,26 @@ TEST(TestGridFacts, BoxOfOnePointHasSideOne)
   EXPECT_EQ(grid.GetCell(x), (Cell<3>{ 0, 0, 0 }));
 }
 
-TEST(TestGridFacts, CellsAreHalfOpen)
+TYPED_TEST(TestGrid, CellsAreHalfOpen)
 {
-  const Grid<2> grid(Box<2>({ 0.0, 0.0 }, { 1.0, 1.0 }));
-  constexpr std::uint32_t size = 1U << 31;
-  EXPECT_EQ(grid.GetCellCoordinate(0.0, 0), 0U);
-  EXPECT_EQ(grid.GetCellCoordinate(0.5, 0), size / 2);
-  EXPECT_EQ(grid.GetCellCoordinate(std::nextafter(0.5, 0.0), 0), size / 2 - 1);
-  EXPECT_EQ(grid.GetCellCoordinate(std::ldexp(1.0, -31), 0), 1U);
+  constexpr int dim = TypeParam::value;
+  constexpr int maxDepth = MortonKey<dim>::MaxDepth;
+  Position<dim> upper;
+  upper.fill(1.0);
+  const Grid<dim> grid(Box<dim>(Position<dim>{}, upper));
+  for (int axis = 0; axis < dim; ++axis)
+  {
+    EXPECT_EQ(grid.GetCellCoordinate(0.0, axis), 0U);
+    EXPECT_EQ(grid.GetCellCoordinate(std::ldexp(1.0, -maxDepth), axis), 1U);
+    EXPECT_EQ(grid.GetCellCoordinate(1.0, axis), (1U << maxDepth) - 1U);
+    for (int depth = 1; depth <= maxDepth; ++depth)
+    {
+      // The face between the first two cells of a depth.
+      const double face = std::ldexp(1.0, -depth);
+      EXPECT_EQ(grid.GetCellCoordinate(face, axis) >> (maxDepth - depth), 1U);
+      EXPECT_EQ(grid.GetCellCoordinate(std::nextafter(face, 0.0), axis) >> (maxDepth - depth), 0U);
+    }
+  }
 }
 
 TEST(TestGridFacts, PositionsOutsideGetTheNearestCell)

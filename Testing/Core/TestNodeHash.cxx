@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 using namespace hashedoctree;
 
 TEST(TestNodeHash, LowBitsAreTheKeysOwn)
@@ -12,9 +14,27 @@ TEST(TestNodeHash, LowBitsAreTheKeysOwn)
   EXPECT_EQ(hash.GetSlot(0b1101), 0b101U);
 }
 
+TEST(TestNodeHash, MixingReachesAllOfATableOfAnySize)
+{
+  for (const std::size_t count : { 1000UL, 1UL << 20, 1UL << 33 })
+  {
+    const MixingHash hash(count);
+    std::vector<int> keysOfPart(16, 0);
+    for (std::uint64_t key = 1; key <= 1600; ++key)
+    {
+      ++keysOfPart[hash.GetSlot(key) / (hash.GetNumberOfSlots() / 16 + 1)];
+    }
+    for (const int keys : keysOfPart)
+    {
+      EXPECT_GT(keys, 60) << count;
+      EXPECT_LT(keys, 140) << count;
+    }
+  }
+}
+
 TEST(TestNodeHash, MixingStaysWithinTheTable)
 {
-  for (const std::size_t count : { 0U, 1U, 5U, 1000U })
+  for (const std::size_t count : { 0UL, 1UL, 5UL, 1000UL, 1UL << 40 })
   {
     const MixingHash hash(count);
     for (int bit = 0; bit < 64; ++bit)

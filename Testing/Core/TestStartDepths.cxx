@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StartDepths.h"
 
+#include "Dimensions.h"
 #include "DirectSearch.h"
 #include "SampleTree.h"
 
@@ -13,10 +14,11 @@ using namespace hashedoctree;
 namespace
 {
 /** Half of the points fill the root, the others a corner of it that is 2^-9 as wide. */
-PointSample<3, double> MakeTwoDensities()
+template <int Dim = 3>
+PointSample<Dim, double> MakeTwoDensities()
 {
-  std::vector<double> coordinates = MakeUniformPoints<3, double>(4000, 161);
-  const auto dense = MakeUniformPoints<3, double>(4000, 162, 0.0, 1.0 / 512.0);
+  std::vector<double> coordinates = MakeUniformPoints<Dim, double>(4000, 161);
+  const auto dense = MakeUniformPoints<Dim, double>(4000, 162, 0.0, 1.0 / 512.0);
   coordinates.insert(coordinates.end(), dense.begin(), dense.end());
   return { "two densities", coordinates };
 }
@@ -27,7 +29,13 @@ MortonKey<3> GetKey(const Octree<3>& tree, const Position<3>& x)
 }
 }
 
-TEST(TestStartDepths, OneForTheTreeByEachModel)
+template <typename Dimension>
+class TestStartDepths : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestStartDepths, Dimensions);
+
+TEST(TestStartDepthsFacts, OneForTheTreeByEachModel)
 {
   const SampleTree<3, double> made(MakeTwoDensities());
   const MortonKey<3> key = GetKey(made.Tree, { 0.4, 0.7, 0.2 });
@@ -48,10 +56,11 @@ TEST(TestStartDepths, OneForTheTreeByEachModel)
   EXPECT_EQ(StartDepths<3>().Get(key), 0);
 }
 
-TEST(TestStartDepths, LocalIsTheMedianOfTheLeavesNearby)
+TYPED_TEST(TestStartDepths, LocalIsTheMedianOfTheLeavesNearby)
 {
-  const SampleTree<3, double> made(MakeTwoDensities());
-  constexpr int depth = StartDepths<3>::LocalDepth;
+  constexpr int dim = TypeParam::value;
+  const SampleTree<dim, double> made(MakeTwoDensities<dim>());
+  constexpr int depth = StartDepths<dim>::LocalDepth;
   std::map<std::uint64_t, DepthHistogram> histograms;
   ForEachNode(made.Tree,
     [&](const auto& node)
@@ -59,33 +68,35 @@ TEST(TestStartDepths, LocalIsTheMedianOfTheLeavesNearby)
       if (!node.Internal && node.NodeKey.GetDepth() >= depth)
       {
         auto& histogram = histograms[node.NodeKey.GetFirstAtMaxDepth().AtDepth(depth).GetValue()];
-        histogram.resize(22);
+        histogram.resize(MortonKey<dim>::MaxDepth + 1);
         ++histogram[static_cast<std::size_t>(node.NodeKey.GetDepth())];
       }
     });
-  const StartDepths<3> starts(made.Tree, { StartDepthModel::Local, FrequencyModel::Leaves, 0 });
+  const StartDepths<dim> starts(made.Tree, { StartDepthModel::Local, FrequencyModel::Leaves, 0 });
   for (const auto& [key, histogram] : histograms)
   {
-    EXPECT_EQ(starts.Get(MortonKey<3>(key).GetFirstAtMaxDepth()), GetMedianDepth(histogram));
+    EXPECT_EQ(starts.Get(MortonKey<dim>(key).GetFirstAtMaxDepth()), GetMedianDepth(histogram));
   }
   EXPECT_GT(histograms.size(), 1000U);
+  EXPECT_EQ(starts.GetBytes(), 4096U);
   EXPECT_EQ(starts.GetOfTree(), GetMedianDepth(made.Tree.GetDepthCounts().Leaves));
 }
 
-TEST(TestStartDepths, LocalTakesTheDepthOfALeafThatIsLarger)
+TYPED_TEST(TestStartDepths, LocalTakesTheDepthOfALeafThatIsLarger)
 {
-  const SampleTree<3, double> made(
-    PointSample<3, double>{ "corner", MakeClusteredPoints<3, double>(500, 163) });
+  constexpr int dim = TypeParam::value;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "corner", MakeClusteredPoints<dim, double>(500, 163) });
   for (const FrequencyModel frequency :
     { FrequencyModel::Leaves, FrequencyModel::Points, FrequencyModel::Grid })
   {
-    const StartDepths<3> starts(made.Tree, { StartDepthModel::Local, frequency, 0 });
+    const StartDepths<dim> starts(made.Tree, { StartDepthModel::Local, frequency, 0 });
     int larger = 0;
     for (std::uint64_t cell = 0; cell < 4096; ++cell)
     {
-      const MortonKey<3> key = MortonKey<3>(4096 + cell).GetFirstAtMaxDepth();
+      const MortonKey<dim> key = MortonKey<dim>(4096 + cell).GetFirstAtMaxDepth();
       const auto leaf = FindLeaf(made.Tree, key, 0);
-      if (leaf.Key.GetDepth() <= StartDepths<3>::LocalDepth)
+      if (leaf.Key.GetDepth() <= StartDepths<dim>::LocalDepth)
       {
         EXPECT_EQ(starts.Get(key), leaf.Key.GetDepth());
         ++larger;
@@ -95,7 +106,7 @@ TEST(TestStartDepths, LocalTakesTheDepthOfALeafThatIsLarger)
   }
 }
 
-TEST(TestStartDepths, LocalCostsLessWhereDensityVaries)
+TEST(TestStartDepthsFacts, LocalCostsLessWhereDensityVaries)
 {
   const SampleTree<3, double> made(MakeTwoDensities());
   const StartDepths<3> median(made.Tree, {});
@@ -115,7 +126,7 @@ TEST(TestStartDepths, LocalCostsLessWhereDensityVaries)
   EXPECT_LT(localCost, medianCost);
 }
 
-TEST(TestStartDepths, MeanCostIsThatOfSearchesForTheLeaves)
+TEST(TestStartDepthsFacts, MeanCostIsThatOfSearchesForTheLeaves)
 {
   const SampleTree<3, double> made(MakeTwoDensities());
   for (const StartDepthModel model : { StartDepthModel::Median, StartDepthModel::Mean,
@@ -142,7 +153,7 @@ TEST(TestStartDepths, MeanCostIsThatOfSearchesForTheLeaves)
   }
 }
 
-TEST(TestStartDepths, TreesOfOneLeaf)
+TEST(TestStartDepthsFacts, TreesOfOneLeaf)
 {
   for (const std::size_t count : { 0U, 1U })
   {
