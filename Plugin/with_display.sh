@@ -10,7 +10,7 @@ set -euo pipefail
 
 exec {numbers}< <(exec Xvfb -displayfd 1 -noreset -nolisten tcp -screen 0 1920x1200x24 2>/dev/null)
 server=$!
-trap 'kill "$server" 2>/dev/null' EXIT
+trap 'kill "$server" 2>/dev/null || true' EXIT # it may have ended by itself
 read -r -u "$numbers" number || {
   echo "error: Xvfb did not start; is the package xvfb installed?" >&2
   exit 1
