@@ -3,26 +3,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Installs what is missing and builds. A second run with nothing to do takes a second.
-#   Plugin/setup.sh [--tests] [--benchmarks]     the plugin and the Python package, in build/
-#   Plugin/setup.sh --vtk [--tests] [--benchmarks]   the library for Debian's own VTK, in build/vtk
+#   Plugin/setup.sh                              the plugin and the Python package, in build/
+#   Plugin/setup.sh --vtk                        the library for Debian's own VTK, in build/vtk
 #   Plugin/setup.sh --sanitize address|thread    the tests with a sanitizer, in build/asan or build/tsan
 #   Plugin/setup.sh --fuzz                       the fuzzer, in build/fuzz
+# Each of them with --tests, --benchmarks or both, in any order.
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 # Debian's tools first: a cmake or python3 from elsewhere does not fit Debian's ParaView.
 PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"
 
-build="$root/build"
-packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libdouble-conversion-dev
-  g++ cmake ninja-build xvfb xauth libgl1-mesa-dri libqt5svg5) # the last: ParaView's icons
+tools=(g++ cmake ninja-build)
+paraview_packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libdouble-conversion-dev
+  xvfb xauth libgl1-mesa-dri libqt5svg5) # the last: ParaView's icons
+vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib)
+fuzz_packages=(clang libclang-rt-dev llvm) # llvm names the lines of a crash
 test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
 benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
-fuzz_packages=(clang libclang-rt-dev llvm g++ cmake ninja-build) # llvm names the lines of a crash
-excluded= # a package that must not be there
-vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib g++ cmake ninja-build)
-options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
-sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo BUILD_TESTING:BOOL=ON
+paraview_options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
+vtk_options=(HASHEDOCTREE_HOST:STRING=VTK HASHEDOCTREE_PYTHON:BOOL=OFF)
+sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo
   'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-Og -g1' # compiles in half the time
   HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:BOOL=OFF)
 fuzz_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo 'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O2 -g1'
@@ -34,40 +35,69 @@ fail() {
 }
 
 read_arguments() {
+  kind=plugin
+  tests=no
+  benchmarks=no
   while (($#)); do
     case "$1" in
-      --vtk)
-        build="$root/build/vtk"
-        packages=("${vtk_packages[@]}")
-        options=(HASHEDOCTREE_HOST:STRING=VTK HASHEDOCTREE_PYTHON:BOOL=OFF)
-        excluded=python3-paraview ;;
-      --tests)
-        packages+=("${test_packages[@]}")
-        options+=(BUILD_TESTING:BOOL=ON) ;;
-      --benchmarks)
-        packages+=("${benchmark_packages[@]}")
-        options+=(HASHEDOCTREE_BENCHMARKS:BOOL=ON) ;;
+      --vtk) set_kind vtk ;;
       --sanitize)
-        packages+=("${test_packages[@]}")
-        case "${2:-}" in
-          address)
-            build="$root/build/asan"
-            options+=("${sanitizer_options[@]}" 'HASHEDOCTREE_SANITIZE:STRING=address,undefined'
-              HASHEDOCTREE_64BIT_IDS:BOOL=ON) ;; # so that both widths are tested
-          thread)
-            build="$root/build/tsan"
-            options+=("${sanitizer_options[@]}" HASHEDOCTREE_SANITIZE:STRING=thread) ;;
-          *) fail "--sanitize takes address or thread" ;;
-        esac
+        [[ "${2:-}" == address || "${2:-}" == thread ]] || fail "--sanitize takes address or thread"
+        set_kind "$2"
         shift ;;
-      --fuzz)
-        build="$root/build/fuzz"
-        packages=("${fuzz_packages[@]}")
-        options=("${fuzz_options[@]}") ;;
+      --fuzz) set_kind fuzz ;;
+      --tests) tests=yes ;;
+      --benchmarks) benchmarks=yes ;;
       *) fail "unknown option $1; see the head of Plugin/setup.sh" ;;
     esac
     shift
   done
+}
+
+set_kind() {
+  [[ $kind == plugin || $kind == "$1" ]] ||
+    fail "--vtk, --sanitize and --fuzz have a build each; give one of them at a time"
+  kind="$1"
+}
+
+choose_build() {
+  build="$root/build"
+  packages=("${tools[@]}")
+  options=()
+  excluded= # a package that must not be there
+  case $kind in
+    vtk)
+      build+=/vtk
+      packages+=("${vtk_packages[@]}")
+      options+=("${vtk_options[@]}")
+      excluded=python3-paraview ;;
+    fuzz)
+      build+=/fuzz
+      packages+=("${fuzz_packages[@]}")
+      options+=("${fuzz_options[@]}") ;;
+    *)
+      packages+=("${paraview_packages[@]}")
+      options+=("${paraview_options[@]}") ;;
+  esac
+  case $kind in
+    address)
+      build+=/asan
+      tests=yes
+      options+=("${sanitizer_options[@]}" 'HASHEDOCTREE_SANITIZE:STRING=address,undefined'
+        HASHEDOCTREE_64BIT_IDS:BOOL=ON) ;; # so that both widths are tested
+    thread)
+      build+=/tsan
+      tests=yes
+      options+=("${sanitizer_options[@]}" HASHEDOCTREE_SANITIZE:STRING=thread) ;;
+  esac
+  if [[ $tests == yes ]]; then
+    packages+=("${test_packages[@]}")
+    options+=(BUILD_TESTING:BOOL=ON)
+  fi
+  if [[ $benchmarks == yes ]]; then
+    packages+=("${benchmark_packages[@]}")
+    options+=(HASHEDOCTREE_BENCHMARKS:BOOL=ON)
+  fi
   log="$build/setup.log"
 }
 
@@ -173,6 +203,7 @@ fail_with_log() {
 }
 
 read_arguments "$@"
+choose_build
 mkdir -p "$build" || fail "cannot write to $root"
 : >"$log"
 install_missing
