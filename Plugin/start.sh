@@ -49,15 +49,6 @@ check_file() {
   file="$(realpath -- "$file")"
 }
 
-make_terrain() {
-  file="$root/build/data/terrain.vtp"
-  [[ ! -f "$file" ]] || return 0
-  mkdir -p "$root/build/data"
-  echo "Making $file"
-  pvpython "$root/Data/make_terrain.py" "$file.part.vtp" >"$log" 2>&1 || fail_with_log
-  mv "$file.part.vtp" "$file"
-}
-
 show_in_paraview() {
   echo "Opening ParaView; its messages go to $log"
   # --dr: ParaView's welcome window would hold the script up, and the user's settings stay as they are.
@@ -71,10 +62,10 @@ write_pictures() {
   echo "Pictures and tables are in $demo"
 }
 
-# Passes on the exit code and the one line that our scripts wrote; all else in the log is ParaView's.
+# Passes on the exit code and the one line that our script wrote; all else in the log is ParaView's.
 fail_with_log() {
   local code=$?
-  grep -E '^(demo|make_terrain): ' "$log" >&2 || {
+  grep '^demo: ' "$log" >&2 || {
     tail -n 20 "$log" >&2
     printf 'error: ParaView failed; the last lines are above, all of it is in %s\n' "$log" >&2
   }
@@ -85,9 +76,12 @@ read_arguments "$@"
 "$root/Plugin/setup.sh"
 PATH="/usr/bin:/bin:$PATH" # Debian's ParaView, as in setup.sh
 mkdir -p "$demo"
-[[ -n "$file" ]] || make_terrain
+if [[ -z "$file" ]]; then
+  file="$root/build/data/terrain.vtp"
+  "$root/Data/make_terrain.sh" pvpython "$file"
+fi
 export HASHEDOCTREE_FILE="$file"
-plugin="$(echo "$root"/build/lib/paraview-*/plugins/HashedOctree/HashedOctree.so)"
+plugin="$("$root/Plugin/find_plugin.sh")"
 export PYTHONPATH="$root/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
 export VTK_SMP_BACKEND_IN_USE="${VTK_SMP_BACKEND_IN_USE:-STDThread}" # ParaView's own is one thread
 if [[ $batch == yes ]]; then

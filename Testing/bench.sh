@@ -26,35 +26,27 @@ fail() {
   exit 1
 }
 
-make_terrain() {
-  local log="$build/data/terrain.log"
-  terrain="$build/data/terrain.vtp"
-  [[ ! -f "$terrain" ]] || return 0
-  mkdir -p "$build/data"
-  "$python" "$root/Data/make_terrain.py" "$terrain" >"$log" 2>&1 ||
-    fail "$(grep '^make_terrain: ' "$log" || echo "no terrain; all that $python said is in $log")"
-}
-
 # This and the next draw also when some answers were wrong (1), but not when the arguments were (2).
 run_paper() {
-  local points="$root/build/data/points" output="$root/build/bench" log="$root/build/bench/draw.log" quick=() status=0
+  local points="$root/build/data/points" output="$root/build/bench" log="$root/build/bench/draw.log"
+  local quick=() status=0 plugin
   [[ " $* " != *' --help '* ]] || exec "$program" --help
   [[ " $* " != *' --quick '* ]] || quick=(--quick)
+  plugin="$("$root/Plugin/find_plugin.sh")"
   python3 "$root/Data/make_point_sets.py" "$points" "${quick[@]}"
   mkdir -p "$output"
   "$program" --points "$points" --output "$output/paper.md" "$@" || status=$?
   ((status <= 1)) || exit "$status"
   PYTHONDONTWRITEBYTECODE=1 "$root/Plugin/with_display.sh" pvpython --dr "$root/Testing/Benchmarks/draw_paper.py" \
-    --plugin "$(echo "$root"/build/lib/paraview-*/plugins/HashedOctree/HashedOctree.so)" \
-    --points "$points" --output "$output" --markdown "$output/paper.md" >"$log" 2>&1 ||
+    --plugin "$plugin" --points "$points" --output "$output" --markdown "$output/paper.md" >"$log" 2>&1 ||
     fail "$(grep '^draw_paper: ' "$log" || echo "no pictures; all that pvpython said is in $log")"
   echo "Tables and pictures are in $output/paper.md"
   exit "$status"
 }
 
 run_locator() {
-  local output="$build/bench" status=0
-  make_terrain
+  local terrain="$build/data/terrain.vtp" output="$build/bench" status=0
+  "$root/Data/make_terrain.sh" "$python" "$terrain"
   mkdir -p "$output"
   "$program" --terrain "$terrain" --output "$output" "$@" || status=$?
   ((status <= 1)) || exit "$status"
