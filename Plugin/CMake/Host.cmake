@@ -13,14 +13,17 @@ if (HASHEDOCTREE_HOST STREQUAL "AUTO")
   set(quiet QUIET)
 endif ()
 if (HASHEDOCTREE_HOST MATCHES "AUTO|PARAVIEW")
-  find_package(ParaView 5.11 ${quiet} COMPONENTS RemotingCore RemotingServerManager)
+  set(components RemotingCore) # for the VTK inside it
+  if (HASHEDOCTREE_PLUGIN)
+    list(APPEND components RemotingServerManager)
+  endif ()
+  find_package(ParaView 5.11 ${quiet} COMPONENTS ${components})
 endif ()
 set(HASHEDOCTREE_HAVE_PARAVIEW "${ParaView_FOUND}")
 if (HASHEDOCTREE_HOST STREQUAL "VTK" OR
     (HASHEDOCTREE_HOST STREQUAL "AUTO" AND NOT HASHEDOCTREE_HAVE_PARAVIEW))
   find_package(VTK 9.1 ${quiet}
     COMPONENTS CommonCore CommonDataModel CommonExecutionModel
-      FiltersGeneral FiltersPoints FiltersSources
     OPTIONAL_COMPONENTS Python WrappingPythonCore)
 endif ()
 
@@ -28,9 +31,11 @@ set(HASHEDOCTREE_HAVE_VTK OFF)
 if (HASHEDOCTREE_HAVE_PARAVIEW OR (VTK_FOUND AND NOT HASHEDOCTREE_HOST STREQUAL "PARAVIEW"))
   set(HASHEDOCTREE_HAVE_VTK ON)
 elseif (NOT HASHEDOCTREE_HOST STREQUAL "NONE")
+  set(missing_AUTO "Neither ParaView 5.11 nor VTK 9.1 was found.")
+  set(missing_PARAVIEW "ParaView 5.11 was not found, as HASHEDOCTREE_HOST=PARAVIEW asks.")
+  set(missing_VTK "VTK 9.1 was not found, as HASHEDOCTREE_HOST=VTK asks.")
   message(FATAL_ERROR
-    "Neither ParaView 5.11 nor VTK 9.1 was found as HASHEDOCTREE_HOST=${HASHEDOCTREE_HOST} asks. "
-    "On Debian, install for ParaView: "
+    "${missing_${HASHEDOCTREE_HOST}} On Debian, install for ParaView: "
     "paraview-dev python3-paraview python3-dev libopenmpi-dev libdouble-conversion-dev; "
     "for VTK alone: libvtk9-dev python3-vtk9 python3-dev; "
     "or build the core alone with -DHASHEDOCTREE_HOST=NONE.")
@@ -44,6 +49,9 @@ set(HASHEDOCTREE_HAVE_PYTHON OFF)
 if (HASHEDOCTREE_PYTHON AND TARGET VTK::WrappingPythonCore AND TARGET VTK::Python)
   set(HASHEDOCTREE_HAVE_PYTHON ON)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
+elseif (HASHEDOCTREE_PYTHON AND NOT HASHEDOCTREE_PYTHON STREQUAL "AUTO")
+  message(WARNING "HASHEDOCTREE_PYTHON=${HASHEDOCTREE_PYTHON}, but there is no VTK here that knows Python: "
+    "the Python package is not built. On Debian, install python3-dev; or configure with -DHASHEDOCTREE_PYTHON=OFF.")
 endif ()
 message(STATUS "HashedOctree: VTK ${VTK_VERSION}, ParaView ${ParaView_VERSION}, "
   "plugin ${HASHEDOCTREE_HAVE_PLUGIN}, Python ${HASHEDOCTREE_HAVE_PYTHON}")
