@@ -22,12 +22,12 @@ fuzz_packages=(clang libclang-rt-dev llvm) # llvm names the lines of a crash
 test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
 benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
 paraview_options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
-vtk_options=(HASHEDOCTREE_HOST:STRING=VTK HASHEDOCTREE_PYTHON:BOOL=OFF)
+vtk_options=(HASHEDOCTREE_HOST:STRING=VTK HASHEDOCTREE_PYTHON:STRING=OFF)
 sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo
   'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-Og -g1' # compiles in half the time
-  HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:BOOL=OFF)
+  HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:STRING=OFF)
 fuzz_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo 'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O2 -g1'
-  CMAKE_CXX_COMPILER:FILEPATH=/usr/bin/clang++ HASHEDOCTREE_HOST:STRING=NONE HASHEDOCTREE_FUZZ:BOOL=ON)
+  CMAKE_CXX_COMPILER:STRING=/usr/bin/clang++ HASHEDOCTREE_HOST:STRING=NONE HASHEDOCTREE_FUZZ:BOOL=ON)
 
 fail() {
   printf 'error: %s\n' "$1" >&2
@@ -63,7 +63,7 @@ set_kind() {
 choose_build() {
   build="$root/build"
   packages=("${tools[@]}")
-  options=()
+  options=(HASHEDOCTREE_WERROR:BOOL=ON)
   excluded= # a package that must not be there
   case $kind in
     vtk)
