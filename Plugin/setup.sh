@@ -126,7 +126,7 @@ show_progress() {
   ((shown < 0)) || printf '\n'
 }
 
-# apt reports its progress on 3, which sudo would close; on 1, packages would have no output.
+# apt reports its progress on 3, which sudo would close; if that were 1, packages would have no output.
 apt_get() {
   "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
     sh -c 'exec apt-get -o Dpkg::Use-Pty=0 -o APT::Status-Fd=3 "$@" 3>&1 2>&1' \

@@ -8,7 +8,7 @@ function (hashedoctree_own_code target)
   if (aliased)
     set(target "${aliased}")
   endif ()
-  # Clang's -Wconversion holds -Wsign-conversion, GCC's does not.
+  # Clang's -Wconversion includes -Wsign-conversion, GCC's does not.
   target_compile_options("${target}" PRIVATE
     -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
     # Distances are sums of rounded squares, on machines that can fuse the two as well.

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Runs a client of a server on this machine, whose own name, which the server tells, it may not know.
+# Runs a client of a server on this machine. The server gives the machine's name, which may not be known here.
 #   client_of_localhost.sh --url=cs://<name>:<port> <client> [<argument>...]     as smTestDriver calls it
 set -euo pipefail
 
