@@ -12,10 +12,9 @@ namespace hashedoctree
 {
 /**
  * The bridge from the points of a vtkDataSet, or an array of three components, to the core's point
- * spans. Arrays of float or double
- * tuples are viewed where they are; any other layout or type, and points that no array holds, are
- * copied to doubles. The points must outlive the adaptor and not change meanwhile. Private to the
- * module.
+ * spans. Arrays of float or double tuples are viewed where they are; any other layout or type, and
+ * points that no array holds, are copied to doubles. The points must outlive the adaptor and not
+ * change meanwhile. Private to the module.
  */
 class PointsAdaptor
 {

@@ -36,6 +36,19 @@ vtkStandardNewMacro(vtkHashedOctreePointLocator);
 namespace
 {
 constexpr int MaxDepthOfKeys = MortonKey<3>::MaxDepth;
+
+using Class = vtkHashedOctreePointLocator;
+static_assert(Class::Leaves == static_cast<int>(FrequencyModel::Leaves) &&
+    Class::Points == static_cast<int>(FrequencyModel::Points) &&
+    Class::Grid == static_cast<int>(FrequencyModel::Grid),
+  "frequency models are cast");
+static_assert(Class::Median == static_cast<int>(StartDepthModel::Median) &&
+    Class::Mean == static_cast<int>(StartDepthModel::Mean) &&
+    Class::Root == static_cast<int>(StartDepthModel::Root) &&
+    Class::Fixed == static_cast<int>(StartDepthModel::Fixed) &&
+    Class::Local == static_cast<int>(StartDepthModel::Local),
+  "start-depth models are cast");
+
 constexpr std::size_t PointsPerThread = 32768; // Fewer take less time than a thread takes to come.
 constexpr double AdaptorShare = 0.05; // Of the progress of a batch, while positions are read.
 
@@ -99,7 +112,7 @@ void SetSize(vtkDataArray* array, int components, std::size_t tuples)
 class vtkHashedOctreePointLocator::Index
 {
 public:
-  std::variant<PointTree<3, float>, PointTree<3, double>> Points;
+  std::variant<PointTree<3, float>, PointTree<3, double>> Tree;
   LeafNumbers<3> Leaves;
   std::optional<Box<3>> Bounds;        ///< Of the points, if there are any.
   bool IsFailed = false;               ///< There was an error, and no point is found.
@@ -123,7 +136,7 @@ public:
   template <typename Function>
   decltype(auto) Visit(const Function& function) const
   {
-    return std::visit(function, this->Points);
+    return std::visit(function, this->Tree);
   }
   /** Calls function(search). */
   template <typename Function>
@@ -195,11 +208,11 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
   const bool wasUpToDate = this->IsUpToDate();
   property = value;
   this->Modified();
-  if (this->Tree)
+  if (this->Built)
   {
     try
     {
-      this->ChooseStartDepths(*this->Tree);
+      this->ChooseStartDepths(*this->Built);
     }
     catch (const std::bad_alloc&)
     {
@@ -214,13 +227,13 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
 
 bool vtkHashedOctreePointLocator::IsUpToDate()
 {
-  return this->Tree && this->BuildTime > this->GetMTime() &&
+  return this->Built && this->BuildTime > this->GetMTime() &&
     (this->DataSet == nullptr || this->HasSamePoints());
 }
 
 bool vtkHashedOctreePointLocator::HasSamePoints() const
 {
-  const Index& index = *this->Tree;
+  const Index& index = *this->Built;
   if (index.PointSet == nullptr)
   {
     return this->BuildTime > this->DataSet->GetMTime();
@@ -235,7 +248,7 @@ bool vtkHashedOctreePointLocator::HasSamePoints() const
 void vtkHashedOctreePointLocator::BuildLocator()
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  if (this->Tree && this->UseExistingSearchStructure)
+  if (this->Built && this->UseExistingSearchStructure)
   {
     return;
   }
@@ -282,7 +295,7 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
       this->Bounds[2 * axis + 1] = index->Bounds->Upper[axis];
     }
   }
-  this->Tree = std::move(index);
+  this->Built = std::move(index);
   this->BuildTime.Modified();
 }
 
@@ -297,7 +310,7 @@ void vtkHashedOctreePointLocator::Fill(Index& index)
   const auto build = [&](auto span, const Execution& execution)
   {
     const PointSelection<3> selection(span, {}, execution);
-    index.Points = PointTree(span, selection, options, execution);
+    index.Tree = PointTree(span, selection, options, execution);
     skipped = selection.GetNumberOfSkippedPoints();
     if (selection.GetNumberOfPoints() > 0)
     {
@@ -325,12 +338,12 @@ void vtkHashedOctreePointLocator::ChooseStartDepths(Index& index) const
   const StartDepthOptions options{ static_cast<hashedoctree::StartDepthModel>(
                                      this->StartDepthModel),
     static_cast<hashedoctree::FrequencyModel>(this->FrequencyModel), this->FixedStartDepth };
-  std::visit([&options](auto& tree) { tree.SetStartDepths(options); }, index.Points);
+  std::visit([&options](auto& tree) { tree.SetStartDepths(options); }, index.Tree);
 }
 
 void vtkHashedOctreePointLocator::FreeSearchStructure()
 {
-  this->Tree.reset();
+  this->Built.reset();
   this->Level = 0;
   this->NumberOfBuckets = 0;
   vtkMath::UninitializeBounds(this->Bounds);
@@ -339,7 +352,7 @@ void vtkHashedOctreePointLocator::FreeSearchStructure()
 const vtkHashedOctreePointLocator::Index& vtkHashedOctreePointLocator::GetIndex()
 {
   this->BuildLocator();
-  return *this->Tree;
+  return *this->Built;
 }
 
 vtkIdType vtkHashedOctreePointLocator::FindClosestPoint(const double x[3])
@@ -573,14 +586,14 @@ void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData*
 
 int vtkHashedOctreePointLocator::GetStartDepth() const
 {
-  return this->Tree ? this->Tree->GetStartDepths().GetOfTree() : 0;
+  return this->Built ? this->Built->GetStartDepths().GetOfTree() : 0;
 }
 
 vtkIdType vtkHashedOctreePointLocator::GetIndexBytes() const
 {
-  return this->Tree ? static_cast<vtkIdType>(this->Tree->Leaves.GetBytes() +
-                        this->Tree->Visit([](const auto& tree) { return tree.GetBytes(); }))
-                    : 0;
+  return this->Built ? static_cast<vtkIdType>(this->Built->Leaves.GetBytes() +
+                         this->Built->Visit([](const auto& tree) { return tree.GetBytes(); }))
+                     : 0;
 }
 
 void vtkHashedOctreePointLocator::PrintSelf(ostream& os, vtkIndent indent)

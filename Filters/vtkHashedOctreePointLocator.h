@@ -270,7 +270,7 @@ private:
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
   std::atomic<bool> BatchIsAborted{ false };
-  std::unique_ptr<Index> Tree;
+  std::unique_ptr<Index> Built;
 };
 
 #endif

@@ -12,7 +12,7 @@ namespace hashedoctree
 /**
  * The tight boxes of the children of one block, in 256 steps along each side of the block's cell
  * and rounded outwards. `Lower` and `Upper` name the first and the last step that a child's points
- * touch. Children without points have no meaning.
+ * touch. The boxes of children without points have no meaning.
  */
 template <int Dim>
 struct ChildBoxes

@@ -15,8 +15,8 @@ bool HasPdep();
  * (AMD before Zen 3). Found before main(); false until then. */
 extern const bool PdepIsFastest;
 
-/** As InterleaveCell(), by bit deposit; only where HasPdep(). The cell by reference: handed over in
- * registers it would first have to be put together. Instantiated for 1 to 4 dimensions. */
+/** As InterleaveCell(), by bit deposit; only where HasPdep(). The cell comes by reference, because
+ * to pass it in registers it would have to be packed first. Instantiated for 1 to 4 dimensions. */
 template <int Dim>
 MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth);
 

@@ -67,8 +67,8 @@ void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int st
   EmptyOctants reading, Count& count, const OnBlock& onBlock, const OnLeaf& onLeaf)
 {
   using Key = MortonKey<Dim>;
-  std::array<Key, Key::NumberOfOctants> keys =
-    cells.GetKeys(); // Key() where nothing is to be done.
+  // Key() where nothing is to be done.
+  std::array<Key, Key::NumberOfOctants> keys = cells.GetKeys();
   for (const Key key : keys)
   {
     tree.GetTable().Prefetch(key.GetValue());

@@ -31,7 +31,8 @@ public:
   void Prefetch(std::uint64_t code) const { this->Shards[GetShardOf(code)].Prefetch(code); }
 
   /** The number of a code, which is `next` when it is new. All nodes from this one on begin at
-   * `first` or further along the curve. Where a shard is full, it reports that so much is done. */
+   * `first` or further along the curve. Where a shard is full, it reports `done` as progress
+   * and may throw Interrupted. */
   std::uint64_t FindOrInsert(std::uint64_t code, std::uint64_t next, MortonKey<Dim> first,
     const Execution& execution, double done)
   {

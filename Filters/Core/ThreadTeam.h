@@ -14,8 +14,7 @@ namespace hashedoctree
 {
 /**
  * Threads that stay together for a computation with many parallel loops. What an Execution is
- * handed may start its threads for each loop, and then takes up to half a millisecond until they
- * have a processor each; a team starts them once.
+ * handed may start its threads for each loop; a team starts them once.
  *
  * The first of the threads to come leads: it runs the computation. The others wait for its loops
  * and take parts of them. Nobody waits for a thread that has not come, so that it works with any

@@ -40,8 +40,7 @@ Answers GetAnswers(
 Timing TimeQueries(LocatorPeer& peer, const Question& question, double seconds);
 
 /** Builds at least once, and again until about `seconds` are over. One build before does not count:
- * a virtual machine may have given memory that nobody used for some seconds back to its host, and
- * then whoever asks for it first waits for milliseconds. */
+ * the first after some seconds without any often takes milliseconds longer, whoever's it is. */
 Timing TimeBuilds(const PeerKind& kind, const LocatorData& data, double seconds);
 }
 

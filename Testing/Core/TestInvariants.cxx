@@ -95,7 +95,8 @@ TEST_F(TestInvariants, ShiftedRange)
 TEST_F(TestInvariants, FlippedInternalBit)
 {
   this->GetOctants(5).Internal ^= 1U;
-  this->ExpectBroken("a node is internal just when it holds more than a bucket above MaxDepth");
+  this->ExpectBroken(
+    "a node is internal just when it holds more than MaxPointsPerLeaf points above MaxDepth");
 }
 
 TEST_F(TestInvariants, FlippedOccupiedBit)
