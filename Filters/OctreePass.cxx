@@ -44,19 +44,19 @@ OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>
 }
 
 void OctreePass::ExecuteAny(
-  vtkDataObject* input, vtkInformationVector* outputVector, const MakeOutputs& makeOutputs)
+  vtkDataObject* input, const Targets& targets, bool isPiece, const MakeOutputs& makeOutputs)
 {
   const Execution execution = MakeExecution(this->Algorithm);
   if (auto* composite = vtkDataObjectTree::SafeDownCast(input))
   {
-    this->ProcessBlocks(composite, outputVector, makeOutputs, execution);
+    this->ProcessBlocks(composite, targets, makeOutputs, execution);
   }
   else
   {
     const Outputs outputs = this->Process(vtkPointSet::SafeDownCast(input), makeOutputs, execution);
-    for (std::size_t port = 0; port < outputs.size(); ++port)
+    for (std::size_t i = 0; i < outputs.size(); ++i)
     {
-      vtkDataObject::GetData(outputVector, static_cast<int>(port))->ShallowCopy(outputs[port]);
+      targets[i]->ShallowCopy(outputs[i]);
     }
   }
   if (this->SkippedPoints > 0)
@@ -65,19 +65,19 @@ void OctreePass::ExecuteAny(
                                                << " points have a coordinate that is not finite; "
                                                   "they are left out.");
   }
-  if (this->UsedPoints == 0 && !IsPiece(outputVector))
+  if (this->UsedPoints == 0 && !isPiece)
   {
     this->RefuseInput();
   }
 }
 
-void OctreePass::ProcessBlocks(vtkDataObjectTree* input, vtkInformationVector* outputVector,
+void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   const MakeOutputs& makeOutputs, const Execution& execution)
 {
   std::vector<vtkDataObjectTree*> outputs;
-  for (int port = 0; port < this->Algorithm->GetNumberOfOutputPorts(); ++port)
+  for (vtkDataObject* target : targets)
   {
-    outputs.push_back(vtkDataObjectTree::GetData(outputVector, port));
+    outputs.push_back(vtkDataObjectTree::SafeDownCast(target));
     outputs.back()->CopyStructure(input);
   }
   const auto blocks = vtk::TakeSmartPointer(input->NewTreeIterator());
@@ -92,9 +92,9 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, vtkInformationVector* o
     auto* points = vtkPointSet::SafeDownCast(blocks->GetCurrentDataObject());
     const Outputs results = this->Process(
       points, makeOutputs, execution.Part(block / numberOfBlocks, (block + 1.0) / numberOfBlocks));
-    for (std::size_t port = 0; port < results.size(); ++port)
+    for (std::size_t i = 0; i < results.size(); ++i)
     {
-      outputs[port]->SetDataSetFrom(blocks, results[port]);
+      outputs[i]->SetDataSetFrom(blocks, results[i]);
     }
     block += 1.0;
   }
@@ -140,6 +140,16 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
       plane ? build(*plane) : build(TreeFrame<3>());
     });
   return built;
+}
+
+OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
+{
+  Targets ports;
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    ports.push_back(vtkDataObject::GetData(outputVector, port));
+  }
+  return ports;
 }
 
 bool OctreePass::IsPiece(vtkInformationVector* outputVector)

@@ -20,15 +20,19 @@ namespace hashedoctree
 {
 /**
  * One pass of an algorithm over the point sets of its input: the input itself or, of a composite
- * one, each of its blocks. Builds the octree or quadtree of each and fills the output ports with
- * what a function makes of it. Blocks without a point to use, and those of another kind, stay
+ * one, each of its blocks. Builds the octree or quadtree of each and fills the targets with what a
+ * function makes of it. Blocks without a point to use, and those of another kind, stay
  * empty. Private to the module.
  */
 class OctreePass
 {
 public:
-  /** What stands at each port; empty where there is nothing. */
+  /** What is made of a tree, one data object for each of the targets; empty where there is nothing.
+   */
   using Outputs = std::vector<vtkSmartPointer<vtkDataObject>>;
+  /** What the outputs are put into: data objects of their types or, of a composite input, composite
+   * ones that take its structure. */
+  using Targets = std::vector<vtkDataObject*>;
   static constexpr double BuildShare = 0.3;
 
   /** `root`, where given, takes the place of the points' own bounds. */
@@ -40,13 +44,22 @@ public:
    * no point to use in all of the input, unless that is one of several pieces. */
   template <typename Function>
   void Execute(
-    vtkDataObject* input, vtkInformationVector* outputVector, const Function& makeOutputs)
+    vtkDataObject* input, const Targets& targets, bool isPiece, const Function& makeOutputs)
   {
-    this->ExecuteAny(input, outputVector,
+    this->ExecuteAny(input, targets, isPiece,
       [&makeOutputs](const AnyPointsOctree& any, const Execution& execution) {
         return std::visit([&](const auto& octree) { return makeOutputs(octree, execution); }, any);
       });
   }
+  /** The same with the output ports for targets. */
+  template <typename Function>
+  void Execute(
+    vtkDataObject* input, vtkInformationVector* outputVector, const Function& makeOutputs)
+  {
+    this->Execute(input, GetPorts(outputVector), IsPiece(outputVector), makeOutputs);
+  }
+
+  static Targets GetPorts(vtkInformationVector* outputVector);
 
   /** Whether other processes, or other updates, have the rest of a distributed data set. */
   static bool IsPiece(vtkInformationVector* outputVector);
@@ -55,8 +68,8 @@ private:
   using MakeOutputs = std::function<Outputs(const AnyPointsOctree&, const Execution&)>;
 
   void ExecuteAny(
-    vtkDataObject* input, vtkInformationVector* outputVector, const MakeOutputs& makeOutputs);
-  void ProcessBlocks(vtkDataObjectTree* input, vtkInformationVector* outputVector,
+    vtkDataObject* input, const Targets& targets, bool isPiece, const MakeOutputs& makeOutputs);
+  void ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
     const MakeOutputs& makeOutputs, const Execution& execution);
   Outputs Process(vtkPointSet* input, const MakeOutputs& makeOutputs, const Execution& execution);
   /** Nothing where there is no point to use. */

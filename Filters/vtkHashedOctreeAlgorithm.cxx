@@ -32,12 +32,11 @@ int vtkHashedOctreeAlgorithm::FillOutputPortInformation(int vtkNotUsed(port), vt
 int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
-  if (input == nullptr)
+  if (vtkDataObject::GetData(inputVector[0]) == nullptr)
   {
     return 0;
   }
-  const bool isComposite = vtkDataObjectTree::SafeDownCast(input) != nullptr;
+  const int composite = this->GetTypeOfComposite(inputVector);
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     const int single = this->GetTypeOfOutput(port, inputVector);
@@ -45,10 +44,16 @@ int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(reque
     {
       return 0;
     }
-    vtkDataObjectAlgorithm::SetOutputDataObject(isComposite ? input->GetDataObjectType() : single,
-      outputVector->GetInformationObject(port), /*exact=*/true);
+    vtkDataObjectAlgorithm::SetOutputDataObject(
+      composite < 0 ? single : composite, outputVector->GetInformationObject(port), /*exact=*/true);
   }
   return 1;
+}
+
+int vtkHashedOctreeAlgorithm::GetTypeOfComposite(vtkInformationVector** inputVector)
+{
+  auto* input = vtkDataObjectTree::GetData(inputVector[0]);
+  return input == nullptr ? -1 : input->GetDataObjectType();
 }
 
 void vtkHashedOctreeAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -135,6 +135,10 @@ protected:
    * there is none to give. */
   virtual int GetTypeOfOutput(int port, vtkInformationVector** inputVector) = 0;
 
+  /** The type of data object at all output ports when port 0 has a composite data set: the type of
+   * that; negative when it has a single one. */
+  virtual int GetTypeOfComposite(vtkInformationVector** inputVector);
+
   bool IncludeEmptyLeaves = false;
 
 private:
