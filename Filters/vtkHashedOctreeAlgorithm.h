@@ -5,7 +5,8 @@
  *
  * The properties of the tree, and of where searches in it start: filters with the same values build
  * the same tree. Input port 0 is any vtkPointSet; of composite data sets every block is taken by
- * itself, and the outputs are then composite data sets of its structure. Abstract.
+ * itself, and the outputs are then composite data sets of its structure, unless the filter says
+ * another one. Abstract.
  *
  * The tree is an octree or, of points in a plane, a quadtree: a square in two of the coordinates,
  * split into four. Its cells lie in the plane through the lowest third coordinate of the points

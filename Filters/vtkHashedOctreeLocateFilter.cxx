@@ -7,8 +7,11 @@
 #include "OctreePass.h"
 #include "OctreeTables.h"
 #include "QueryArrays.h"
+#include "QueryBlocks.h"
 #include "QueryDepths.h"
 
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
@@ -32,51 +35,91 @@ namespace
 {
 constexpr int NumberOfPorts = 2; // Of inputs, and of outputs.
 
-/** Shares of the progress of one tree: where each step ends. The rest is for the point arrays. */
-constexpr double AdaptorShare = 0.35;
-constexpr double DepthsShare = 0.45;
+/** Shares of the progress of one block of queries: where each step ends. The rest is for the point
+ * arrays. */
+constexpr double AdaptorShare = 0.07;
+constexpr double DepthsShare = 0.21;
+
+/** How many queries a histogram of their depths counts. */
+std::uint64_t CountQueries(const DepthHistogram& depths)
+{
+  return std::accumulate(depths.begin(), depths.end(), std::uint64_t(0));
+}
+
+double GetMean(std::uint64_t sum, const DepthHistogram& depths)
+{
+  const std::uint64_t count = CountQueries(depths);
+  return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : 0.0;
+}
 }
 
 /** What one run of RequestData makes of each tree. */
 class vtkHashedOctreeLocateFilter::Run
 {
 public:
-  Run(vtkHashedOctreeLocateFilter* filter, vtkDataSet* queries)
+  explicit Run(vtkHashedOctreeLocateFilter* filter)
     : Self(filter)
-    , Queries(queries)
   {
   }
 
   /** Ports 0 and 1. Throws std::exception with what to tell the user, and Interrupted. */
-  void Execute(vtkDataObject* input, vtkInformationVector* outputVector)
+  void Execute(vtkDataObject* points, vtkDataObject* queries, vtkInformationVector* outputVector)
   {
+    const QueryBlocks blocks(points, queries, outputVector);
     this->IsPiece = OctreePass::IsPiece(outputVector);
-    const vtkIdType all = this->Queries->GetNumberOfPoints();
+    std::uint64_t all = 0;
+    for (vtkDataSet* block : blocks.Get())
+    {
+      all += static_cast<std::uint64_t>(block->GetNumberOfPoints());
+    }
     if (all == 0 && !this->IsPiece)
     {
       throw std::invalid_argument("There are no query points; give a data set with points.");
     }
-    this->FiniteQueries = static_cast<std::uint64_t>(all);
+    this->FiniteQueries = all;
     OctreePass(this->Self)
-      .Execute(input, outputVector,
-        [this](const auto& octree, const Execution& execution)
-        { return this->Locate(octree, execution); });
-    const vtkIdType skipped = all - static_cast<vtkIdType>(this->FiniteQueries);
-    if (skipped > 0)
+      .Execute(points, blocks.GetTargets(), this->IsPiece,
+        [&](const auto& octree, const Execution& execution)
+        { return this->LocateBlocks(octree, blocks.Get(), execution); });
+    blocks.FillOutputs();
+    if (this->FiniteQueries < all)
     {
       vtkWarningWithObjectMacro(
-        this->Self, << skipped << " of " << all
+        this->Self, << all - this->FiniteQueries << " of " << all
                     << " query points have a coordinate that is not finite; they are not located.");
     }
   }
 
 private:
+  /** The outputs for each block of queries, one after the other. */
   template <int Dim>
-  OctreePass::Outputs Locate(const PointsOctree<Dim>& octree, const Execution& execution)
+  OctreePass::Outputs LocateBlocks(const PointsOctree<Dim>& octree,
+    const std::vector<vtkDataSet*>& blocks, const Execution& execution)
+  {
+    OctreePass::Outputs outputs;
+    this->FiniteQueries = 0;
+    const double share = (1.0 - OctreePass::BuildShare) / static_cast<double>(blocks.size());
+    double begin = OctreePass::BuildShare;
+    for (vtkDataSet* block : blocks)
+    {
+      const auto ofBlock = this->Locate(octree, block, execution.Part(begin, begin + share));
+      outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
+      begin += share;
+    }
+    if (this->FiniteQueries == 0 && !this->IsPiece)
+    {
+      throw std::invalid_argument("No query point has finite coordinates; mend the query points.");
+    }
+    return outputs;
+  }
+
+  template <int Dim>
+  OctreePass::Outputs Locate(
+    const PointsOctree<Dim>& octree, vtkDataSet* queries, const Execution& execution)
   {
     using Comparison = SearchComparison<Dim>;
     const Octree<Dim>& tree = octree.Tree;
-    const PointsAdaptor points(this->Queries, execution.Part(OctreePass::BuildShare, AdaptorShare));
+    const PointsAdaptor points(queries, execution.Part(0.0, AdaptorShare));
     DepthHistogram depths;
     points.Visit(
       [&](auto span)
@@ -84,22 +127,18 @@ private:
         depths = MeasureQueryDepths(
           tree, Project(span, octree.Frame), execution.Part(AdaptorShare, DepthsShare));
       });
-    this->FiniteQueries = std::accumulate(depths.begin(), depths.end(), std::uint64_t(0));
-    if (this->FiniteQueries == 0 && !this->IsPiece)
-    {
-      throw std::invalid_argument("No query point has finite coordinates; mend the query points.");
-    }
+    this->FiniteQueries += CountQueries(depths);
 
     const Comparison searches(tree, GetStartDepthOptions<Dim>(this->Self), depths);
-    const auto located = vtk::TakeSmartPointer(this->Queries->NewInstance());
-    located->ShallowCopy(this->Queries);
+    const auto located = vtk::TakeSmartPointer(queries->NewInstance());
+    located->ShallowCopy(queries);
     const typename Comparison::Costs costs = AddQueryArrays(
       located, points, octree, GetReading(this->Self), searches, execution.Part(DepthsShare, 1.0));
 
     vtkFieldData* fieldData = located->GetFieldData();
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
     AddFieldValue<vtkDoubleArray>(
-      fieldData, "MeanHitCost", this->GetMean(costs[Comparison::Chosen]));
+      fieldData, "MeanHitCost", GetMean(costs[Comparison::Chosen], depths));
     AddFieldValue<vtkIntArray>(
       fieldData, "BestStartDepth", searches.GetStartDepth(Comparison::BestForQueries));
     vtkNew<vtkTable> table;
@@ -116,7 +155,7 @@ private:
     const auto add = [&](const char* name, typename Comparison::Search search)
     {
       rows.push_back({ name, searches.GetStartDepth(search), searches.GetPredictedMean(search),
-        this->GetMean(costs[search]) });
+        GetMean(costs[search], depths) });
     };
     add("Root", Comparison::Root);
     add("Median", Comparison::Median);
@@ -134,17 +173,9 @@ private:
     FillSearchTable(table, rows);
   }
 
-  double GetMean(std::uint64_t sum) const
-  {
-    return this->FiniteQueries > 0
-      ? static_cast<double>(sum) / static_cast<double>(this->FiniteQueries)
-      : 0.0;
-  }
-
   vtkHashedOctreeLocateFilter* Self;
-  vtkDataSet* Queries;
   bool IsPiece = false;
-  std::uint64_t FiniteQueries = 0;
+  std::uint64_t FiniteQueries = 0; ///< As the last tree counted them.
 };
 
 vtkHashedOctreeLocateFilter::vtkHashedOctreeLocateFilter()
@@ -158,6 +189,7 @@ int vtkHashedOctreeLocateFilter::FillInputPortInformation(int port, vtkInformati
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
     return 1;
   }
   return this->Superclass::FillInputPortInformation(port, info);
@@ -166,7 +198,24 @@ int vtkHashedOctreeLocateFilter::FillInputPortInformation(int port, vtkInformati
 int vtkHashedOctreeLocateFilter::GetTypeOfOutput(int port, vtkInformationVector** inputVector)
 {
   vtkDataObject* queries = vtkDataObject::GetData(inputVector[1]);
-  return queries == nullptr ? -1 : port == 0 ? queries->GetDataObjectType() : VTK_TABLE;
+  if (queries == nullptr)
+  {
+    return -1;
+  }
+  if (port == 0 || vtkDataObjectTree::SafeDownCast(queries) != nullptr)
+  {
+    return queries->GetDataObjectType();
+  }
+  // An AMR data set holds no tables.
+  return vtkCompositeDataSet::SafeDownCast(queries) != nullptr ? VTK_MULTIBLOCK_DATA_SET
+                                                               : VTK_TABLE;
+}
+
+int vtkHashedOctreeLocateFilter::GetTypeOfComposite(vtkInformationVector** inputVector)
+{
+  const int ofPoints = this->Superclass::GetTypeOfComposite(inputVector);
+  const bool areBoth = ofPoints >= 0 && vtkCompositeDataSet::GetData(inputVector[1]) != nullptr;
+  return areBoth ? VTK_MULTIBLOCK_DATA_SET : ofPoints;
 }
 
 int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(request),
@@ -207,7 +256,7 @@ int vtkHashedOctreeLocateFilter::RequestData(vtkInformation* vtkNotUsed(request)
   return RunReportingProblems(this, outputVector,
     [&]
     {
-      Run(this, vtkDataSet::GetData(inputVector[1]))
-        .Execute(vtkDataObject::GetData(inputVector[0]), outputVector);
+      Run(this).Execute(vtkDataObject::GetData(inputVector[0]),
+        vtkDataObject::GetData(inputVector[1]), outputVector);
     });
 }

@@ -11,7 +11,16 @@
  * section 4).
  *
  * Input port 0: any vtkPointSet; of composite data sets every block by itself, one tree per block,
- * in each of which all queries are searched for. Input port 1, required: any vtkDataSet.
+ * in each of which all queries are searched for. Input port 1, required: any vtkDataSet; of
+ * composite data sets every block by itself, with a table of its own.
+ *
+ * Where one input is composite, both outputs are so, with a block for each of its; null where there
+ * is nothing to search in or for: of a block without points (or, in input port 0, without finite
+ * ones), and of one that is no vtkPointSet (in input port 1, no vtkDataSet). Where both inputs are
+ * composite, both outputs are vtkMultiBlockDataSets with the structure of the queries, in which
+ * each block of queries is again one, with a block for each of the points; no other composite data
+ * set may hold such blocks. Blocks keep their names, and composite queries their field data. Of AMR
+ * queries the tables are a vtkMultiBlockDataSet; together with composite points they are an error.
  *
  * Output port 0, of the kind of the queries: the queries as they are, with point arrays, one value
  * per query (arrays of the same names are replaced):
@@ -29,10 +38,10 @@
  *   before, in the order that is optimal for FrequencyModel.
  * All costs are counted in searches that were made. Queries outside the root count for the leaf
  * that is nearest to them on each axis. Queries with a coordinate that is not finite have LeafId
- * -1, LeafDepth -1, LeafKey 0 and costs 0; one warning tells how many there are, and means leave
- * them out. Field data, one value each: StartDepth (the chosen one), MeanHitCost (over the
- * queries), BestStartDepth (the one with the least mean cost for these queries, the smallest of
- * equals).
+ * -1, LeafDepth -1, LeafKey 0 and costs 0; one warning tells how many there are in all blocks, and
+ * means leave them out (0 where no query is left). Field data, one value each: StartDepth (the
+ * chosen one), MeanHitCost (over the queries), BestStartDepth (the one with the least mean cost for
+ * these queries, the smallest of equals).
  *
  * Output port 1, vtkTable, a row for each way to search: Root, Median, Mean, Fixed (if chosen),
  * Local, Decision tree, Best for these queries (from BestStartDepth), and last Entropy bound, which
@@ -48,10 +57,10 @@
  *
  * Progress, abort, threads, points that are not finite, empty inputs and distributed data: as in
  * vtkHashedOctreeFilter; but the local start depths are chosen in one pass over the nodes, during
- * which no abort is heeded. Of composite queries VTK runs the filter for each block. No queries, or
- * none with finite coordinates, are an error, but for a piece of a distributed data set. There
- * every process searches for its own queries in the tree of its own points; one without points
- * gives nothing back, so bring the points to where the queries are.
+ * which no abort is heeded. Each tree is built once, whatever the number of blocks of queries. No
+ * queries in any block, or none with finite coordinates, are an error, but for a piece of a
+ * distributed data set. There every process searches for its own queries in the tree of its own
+ * points; one without points gives nothing back, so bring the points to where the queries are.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h
@@ -72,6 +81,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int GetTypeOfOutput(int port, vtkInformationVector** inputVector) override;
+  int GetTypeOfComposite(vtkInformationVector** inputVector) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,

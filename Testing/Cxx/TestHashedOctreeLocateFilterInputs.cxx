@@ -6,7 +6,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -317,68 +316,4 @@ TEST(TestHashedOctreeLocateFilterInputs, AsksForPointsOnAGridInTheirOwnExtent)
   EXPECT_EQ(getRequested(0, 2), std::vector<int>({ 0, 2, 0, 1, 0, 0 }));
   EXPECT_EQ(getRequested(1, 2), std::vector<int>({ 2, 4, 0, 1, 0, 0 }));
   EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
-}
-
-TEST(TestHashedOctreeLocateFilterInputs, EachBlockOfPointsHasItsTree)
-{
-  const auto first = MakeUniform(100, 352);
-  const auto second = MakeUniform(2000, 353);
-  const auto queries = MakePolyData({ NotANumber, 0, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6 });
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, first);
-  blocks->SetBlock(1, MakePolyData({}));
-  blocks->SetBlock(2, second);
-  TestedLocateFilter filter(blocks, queries);
-  filter.UpdateWithoutErrors();
-  EXPECT_EQ(filter.Warnings.size(), 1U) << "once for all trees";
-  for (int port = 0; port < 2; ++port)
-  {
-    auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(port));
-    ASSERT_NE(output, nullptr);
-    ASSERT_EQ(output->GetNumberOfBlocks(), 3U);
-    EXPECT_EQ(output->GetBlock(1), nullptr);
-    for (const unsigned block : { 0U, 2U })
-    {
-      TestedLocateFilter alone(block == 0 ? first : second, queries);
-      alone.Update();
-      if (port == 0)
-      {
-        auto* located = vtkDataSet::SafeDownCast(output->GetBlock(block));
-        ASSERT_NE(located, nullptr);
-        ExpectSameArrays(located->GetPointData(), alone.GetLocated()->GetPointData());
-        ExpectSameArrays(located->GetFieldData(), alone.GetLocated()->GetFieldData());
-      }
-      else
-      {
-        auto* table = vtkTable::SafeDownCast(output->GetBlock(block));
-        ASSERT_NE(table, nullptr);
-        EXPECT_EQ(table->GetValueByName(1, "MeasuredMean").ToDouble(),
-          alone.GetTableValue("Median", "MeasuredMean"));
-      }
-    }
-  }
-}
-
-TEST(TestHashedOctreeLocateFilterInputs, BlocksOfQueriesAreTakenOneByOne)
-{
-  const auto points = MakeUniform(100, 354);
-  const auto first = MakeUniform(10, 355);
-  const auto second = MakeUniform(20, 356);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, first);
-  blocks->SetBlock(2, second);
-  TestedLocateFilter filter(points, blocks);
-  filter.UpdateWithoutErrors();
-  auto* located = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  auto* tables = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(1));
-  ASSERT_TRUE(located && tables);
-  for (const unsigned block : { 0U, 2U })
-  {
-    TestedLocateFilter alone(points, block == 0 ? first : second);
-    alone.Update();
-    auto* queries = vtkDataSet::SafeDownCast(located->GetBlock(block));
-    ASSERT_NE(queries, nullptr);
-    ExpectSameArrays(queries->GetPointData(), alone.GetLocated()->GetPointData());
-    ASSERT_NE(vtkTable::SafeDownCast(tables->GetBlock(block)), nullptr);
-  }
 }

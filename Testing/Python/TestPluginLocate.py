@@ -68,6 +68,19 @@ by_start_depth = [(1 + abs(points["LeafDepth"] - start)).mean() for start in ran
 assert figures["BestStartDepth"] == numpy.argmin(by_start_depth)
 assert abs(means["Best for these queries"] - min(by_start_depth)) < 1e-12
 
+# Blocks in both inputs, of each kind: ParaView and the filters after this one see all of them.
+groups = [simple.GroupDatasets(Input=[sphere, queries], OutputType="vtk" + kind)
+          for kind in ("MultiBlockDataSet", "PartitionedDataSet", "PartitionedDataSetCollection")]
+for points_group in groups:
+    for queries_group in groups:
+        blocks = simple.HashedOctreeLocate(Input=points_group, QueryPoints=queries_group)
+        elevation = simple.Elevation(Input=blocks)
+        elevation.UpdatePipeline()
+        for source in (blocks, elevation):
+            count = source.GetDataInformation().GetNumberOfPoints()
+            kinds = (points_group.OutputType, queries_group.OutputType)
+            assert count == 4 * number_of_points, (kinds, count)
+
 # The points as their own queries cost what is predicted for points.
 own = simple.HashedOctreeLocate(Input=sphere, QueryPoints=sphere, FrequencyModel="Points")
 own.UpdatePipeline()

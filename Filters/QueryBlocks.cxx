@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "QueryBlocks.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+#include <stdexcept>
+
+namespace hashedoctree
+{
+namespace
+{
+/** Copies the structure of a tree, with vtkMultiBlockDataSets for whatever is composite in it: no
+ * other kind may hold composite blocks. */
+void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* copy)
+{
+  const auto children = vtk::TakeSmartPointer(tree->NewTreeIterator());
+  children->VisitOnlyLeavesOff();
+  children->TraverseSubTreeOff();
+  children->SkipEmptyNodesOff();
+  unsigned child = 0;
+  for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
+  {
+    vtkSmartPointer<vtkMultiBlockDataSet> blocks;
+    if (auto* inner = vtkDataObjectTree::SafeDownCast(children->GetCurrentDataObject()))
+    {
+      blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+      CopyStructureToMultiBlock(inner, blocks);
+    }
+    copy->SetBlock(child, blocks);
+    if (children->HasCurrentMetaData())
+    {
+      copy->GetMetaData(child)->Copy(children->GetCurrentMetaData());
+    }
+    ++child;
+  }
+}
+
+/** Calls function(iterator, data set) for the blocks that have points, always in the same order. */
+template <typename Function>
+void ForEachBlock(vtkCompositeDataSet* composite, const Function& function)
+{
+  const auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    auto* block = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject());
+    if (block != nullptr && block->GetNumberOfPoints() > 0)
+    {
+      function(blocks.Get(), block);
+    }
+  }
+}
+}
+
+QueryBlocks::QueryBlocks(
+  vtkDataObject* points, vtkDataObject* queries, vtkInformationVector* outputVector)
+  : Composite(vtkCompositeDataSet::SafeDownCast(queries))
+  , IsNested(this->Composite != nullptr && vtkDataObjectTree::SafeDownCast(points) != nullptr)
+  , Ports(OctreePass::GetPorts(outputVector))
+{
+  if (this->Composite == nullptr)
+  {
+    this->Blocks.push_back(vtkDataSet::SafeDownCast(queries));
+    return;
+  }
+  if (this->IsNested && vtkDataObjectTree::SafeDownCast(queries) == nullptr)
+  {
+    throw std::invalid_argument("AMR query points cannot be searched for in blocks of points; "
+                                "merge the blocks of either input.");
+  }
+  ForEachBlock(
+    this->Composite, [&](vtkCompositeDataIterator*, vtkDataSet* block) { this->AddBlock(block); });
+}
+
+void QueryBlocks::AddBlock(vtkDataSet* block)
+{
+  this->Blocks.push_back(block);
+  for (std::size_t port = 0; port < this->Ports.size(); ++port)
+  {
+    if (this->IsNested)
+    {
+      this->Made.emplace_back(vtkSmartPointer<vtkMultiBlockDataSet>::New());
+    }
+    else if (port == 0)
+    {
+      this->Made.emplace_back(vtk::TakeSmartPointer(block->NewInstance()));
+    }
+    else
+    {
+      this->Made.emplace_back(vtkSmartPointer<vtkTable>::New());
+    }
+  }
+}
+
+OctreePass::Targets QueryBlocks::GetTargets() const
+{
+  return this->Composite == nullptr ? this->Ports
+                                    : OctreePass::Targets(this->Made.begin(), this->Made.end());
+}
+
+void QueryBlocks::FillOutputs() const
+{
+  if (this->Composite == nullptr)
+  {
+    return;
+  }
+  for (std::size_t port = 0; port < this->Ports.size(); ++port)
+  {
+    auto* output = vtkCompositeDataSet::SafeDownCast(this->Ports[port]);
+    if (this->IsNested)
+    {
+      CopyStructureToMultiBlock(vtkDataObjectTree::SafeDownCast(this->Composite),
+        vtkMultiBlockDataSet::SafeDownCast(output));
+    }
+    else
+    {
+      output->CopyStructure(this->Composite);
+    }
+    output->GetFieldData()->ShallowCopy(this->Composite->GetFieldData());
+    std::size_t target = port;
+    ForEachBlock(this->Composite,
+      [&](vtkCompositeDataIterator* place, vtkDataSet*)
+      {
+        output->SetDataSet(place, this->Made[target]);
+        target += this->Ports.size();
+      });
+  }
+}
+}
