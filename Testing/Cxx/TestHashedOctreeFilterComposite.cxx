@@ -119,15 +119,31 @@ TEST(TestHashedOctreeFilterComposite, OutputsFollowTheKindOfTheInput)
   const auto block = MakeBlock(55);
   vtkNew<vtkMultiBlockDataSet> composite;
   composite->SetBlock(0, block);
+  vtkNew<vtkPartitionedDataSetCollection> collection;
+  collection->SetPartition(0, 0, block);
+  const auto outputs = MakeOutputsOf(block);
   TestedFilter filter;
   for (int round = 0; round < 2; ++round)
   {
     filter->SetInputData(block);
     filter.Update();
-    ExpectSameOutputs(TakeOutputs(filter.GetFilter()), MakeOutputsOf(block));
+    ExpectSameOutputs(TakeOutputs(filter.GetFilter()), outputs);
     filter->SetInputData(composite);
     filter.UpdateWithoutErrors();
-    EXPECT_NE(GetOutput<vtkMultiBlockDataSet>(filter, 1), nullptr);
+    for (int port = 0; port < 3; ++port)
+    {
+      auto* output = GetOutput<vtkMultiBlockDataSet>(filter, port);
+      ASSERT_NE(output, nullptr);
+      ExpectSame(output->GetBlock(0), outputs[static_cast<std::size_t>(port)]);
+    }
+    filter->SetInputData(collection);
+    filter.UpdateWithoutErrors();
+    for (int port = 0; port < 3; ++port)
+    {
+      auto* output = GetOutput<vtkPartitionedDataSetCollection>(filter, port);
+      ASSERT_NE(output, nullptr);
+      ExpectSame(output->GetPartitionAsDataObject(0, 0), outputs[static_cast<std::size_t>(port)]);
+    }
   }
 }
 

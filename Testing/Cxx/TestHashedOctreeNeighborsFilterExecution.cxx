@@ -6,6 +6,7 @@
 
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 
 #include <algorithm>
@@ -79,6 +80,36 @@ TEST(TestHashedOctreeNeighborsFilterExecution, EachBlockHasItsQueryLeaf)
   auto* partitions = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(0));
   ASSERT_NE(partitions, nullptr);
   EXPECT_NE(partitions->GetPartitionAsDataObject(1, 0), nullptr);
+}
+
+TEST(TestHashedOctreeNeighborsFilterExecution, TheOutputFollowsTheKindOfTheInput)
+{
+  const std::vector<double> coordinates = MakeUniformPoints<3, double>(60, 97);
+  const auto points = MakePolyData(coordinates);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, points);
+  vtkNew<vtkPartitionedDataSet> partitions;
+  partitions->SetPartition(0, points);
+  TestedNeighborsFilter filter;
+  filter->SetCenter(coordinates.data());
+  for (int round = 0; round < 2; ++round)
+  {
+    filter->SetInputData(points);
+    filter.Update();
+    EXPECT_GT(filter.GetCells()->GetNumberOfCells(), 1);
+    vtkNew<vtkUnstructuredGrid> cells;
+    cells->ShallowCopy(filter.GetCells());
+    filter->SetInputData(blocks);
+    filter.UpdateWithoutErrors();
+    auto* ofBlocks = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    ASSERT_NE(ofBlocks, nullptr);
+    ExpectSame(ofBlocks->GetBlock(0), cells);
+    filter->SetInputData(partitions);
+    filter.UpdateWithoutErrors();
+    auto* ofPartitions = vtkPartitionedDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+    ASSERT_NE(ofPartitions, nullptr);
+    ExpectSame(ofPartitions->GetPartitionAsDataObject(0), cells);
+  }
 }
 
 TEST(TestHashedOctreeNeighborsFilterExecution, BlocksWithoutTheQueryLeafStayEmpty)
