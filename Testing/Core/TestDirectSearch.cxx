@@ -123,10 +123,10 @@ TYPED_TEST(TestDirectSearch, FromTheRootEveryAncestorIsLookedUpInOrder)
     [&made](const auto& leaf)
     {
       const MortonKey<dim> key = leaf.NodeKey.GetFirstAtMaxDepth();
-      std::vector<std::uint64_t> ancestors;
-      for (int depth = 0; depth < leaf.NodeKey.GetDepth(); ++depth)
+      std::vector<std::uint64_t> ancestors(static_cast<std::size_t>(leaf.NodeKey.GetDepth()));
+      for (std::size_t depth = 0; depth < ancestors.size(); ++depth)
       {
-        ancestors.push_back(key.AtDepth(depth).GetValue());
+        ancestors[depth] = key.AtDepth(static_cast<int>(depth)).GetValue();
       }
       const RecordedTree<dim> recorded(made.Tree);
       NodeCount count;
