@@ -160,16 +160,12 @@ Finding FindTimes(
 Finding FindSpeedUp(const Sets& sets, PaperSearchKind kind, std::size_t peer, double claimed)
 {
   Finding finding = FindTimes(sets, kind, peer, { BrotherChild, Pointers });
-  const auto getTime = [kind](std::size_t which)
-  { return [kind, which](const PaperResults& set) { return set.Times[kind][which].Median; }; };
-  const double ratioOfMeans =
-    Summarise(sets, getTime(BrotherChild)).Mean / Summarise(sets, getTime(peer)).Mean;
-  const double meanOfRatios = Summarise(sets,
-    [&](const PaperResults& set) {
-      return getTime(BrotherChild)(set) / getTime(peer)(set);
-    }).Mean;
-  finding.Measured += "; ratio of means: " + Format(ratioOfMeans);
-  finding.Verdict = meanOfRatios >= claimed ? "holds" : "holds not";
+  const auto getTimes = [&sets, kind](std::size_t which) {
+    return GetOfEach(sets, [=](const PaperResults& set) { return set.Times[kind][which].Median; });
+  };
+  const Gain gain = GetGain(getTimes(BrotherChild), getTimes(peer));
+  finding.Measured += "; ratio of means: " + Format(gain.RatioOfMeans);
+  finding.Verdict = gain.MeanOfRatios >= claimed ? "holds" : "holds not";
   return finding;
 }
 

@@ -20,6 +20,18 @@ std::string Format(double number)
   return Format(number, size < 9.995 ? 2 : size < 99.95 ? 1 : 0);
 }
 
+std::string FormatPrinted(double number)
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.6g", number);
+  return text;
+}
+
+std::string FormatBeside(const std::string& ours, const std::string& paper)
+{
+  return ours + " (" + paper + ")";
+}
+
 void WriteRow(std::ostream& out, const std::vector<std::string>& cells)
 {
   out << "|";

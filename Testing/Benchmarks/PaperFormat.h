@@ -11,6 +11,10 @@ namespace paper_benchmark
 std::string Format(double number, int decimals);
 /** Three digits or more. */
 std::string Format(double number);
+/** A number of the paper, as it stands there but for zeros at its end. */
+std::string FormatPrinted(double number);
+/** "ours (the paper's)". */
+std::string FormatBeside(const std::string& ours, const std::string& paper);
 
 /** Rows of a table in Markdown. */
 void WriteRow(std::ostream& out, const std::vector<std::string>& cells);

@@ -5,7 +5,9 @@
 #include "PaperClaims.h"
 #include "PaperKeys.h"
 #include "PaperStartDepthTables.h"
-#include "PaperTables.h"
+#include "PaperTable1.h"
+#include "PaperTable2.h"
+#include "PaperTable3.h"
 #include "PaperTiming.h"
 
 #include <fstream>

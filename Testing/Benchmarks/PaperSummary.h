@@ -3,10 +3,10 @@
 #define Testing_Benchmarks_PaperSummary_h
 
 #include "PaperFormat.h"
+#include "PaperGain.h"
 #include "PaperResults.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace paper_benchmark
 {
@@ -33,8 +33,7 @@ template <typename Function>
 Summary Summarise(const std::vector<PaperResults>& sets, const Function& function)
 {
   const std::vector<double> values = GetOfEach(sets, function);
-  return { *std::min_element(values.begin(), values.end()),
-    std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size()),
+  return { *std::min_element(values.begin(), values.end()), GetMean(values),
     *std::max_element(values.begin(), values.end()) };
 }
 

@@ -5,10 +5,10 @@
 # as registered, because CheckRegistered.cmake compares the record with the files under Testing. With
 # the thread sanitizer only the tests that start threads are built: it has nothing to say of others.
 
-# hashedoctree_add_core_test(<name>): GoogleTest in Core/<name>.cxx, with no VTK linked.
+# hashedoctree_add_core_test(<name> [<libraries>...]): GoogleTest in Core/<name>.cxx, with no VTK linked.
 function (hashedoctree_add_core_test name)
   _hashedoctree_record("Core/${name}.cxx")
-  _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core)
+  _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core ${ARGN})
 endfunction ()
 
 # hashedoctree_add_vtk_test(<name>): GoogleTest in Cxx/<name>.cxx.
