@@ -12,6 +12,7 @@ ModelComparison CompareModels(
   const auto& cells = (set.*times)[row];
   const Spread& own = cells[row];
   double best = std::numeric_limits<double>::infinity();
+  double width = GetWidth(own);
   bool wins = true;
   bool loses = false;
   for (std::size_t model = 0; model < NumberOfModels; ++model)
@@ -19,17 +20,18 @@ ModelComparison CompareModels(
     if (set.Frequencies[model].StartDepth != set.Frequencies[row].StartDepth)
     {
       best = std::min(best, cells[model].Median);
+      width = std::max(width, GetWidth(cells[model]));
       wins = wins && IsSlower(cells[model], own);
       loses = loses || IsSlower(own, cells[model]);
     }
   }
   if (best == std::numeric_limits<double>::infinity())
   {
-    return { ModelOutcome::Alike, 1.0 };
+    return { ModelOutcome::Alike, 1.0, 0.0 };
   }
   return { wins ? ModelOutcome::Wins
       : loses   ? ModelOutcome::Loses
                 : ModelOutcome::Ties,
-    best / own.Median };
+    best / own.Median, width };
 }
 }

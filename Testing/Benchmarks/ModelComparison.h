@@ -19,6 +19,7 @@ struct ModelComparison
 {
   ModelOutcome Outcome;
   double BestOther; ///< Time of the fastest of the others over that of the right one; 1 of Alike.
+  double Width; ///< The largest spread of the times that are compared, as GetWidth(); 0 of Alike.
 };
 
 /** The models of one row, 0 to 2, which is also the place of the right one. One time is slower than

@@ -53,7 +53,7 @@ void WriteBatch(std::ostream& out, const std::vector<PaperResults>& sets)
   {
     WriteRow(out,
       { set.Set.Name, Format(static_cast<double>(set.Nodes) / 1000.0),
-        Format(1e6 * set.SingleSearches.Median, 3), Format(1e6 * set.BatchSearches.Median, 3),
+        FormatTime(set.SingleSearches, 1e6), FormatTime(set.BatchSearches, 1e6),
         "x " + Format(set.SingleSearches.Median / set.BatchSearches.Median) });
   }
 }

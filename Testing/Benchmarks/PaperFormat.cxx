@@ -20,6 +20,18 @@ std::string Format(double number)
   return Format(number, size < 9.995 ? 2 : size < 99.95 ? 1 : 0);
 }
 
+std::string FormatPercent(double share)
+{
+  return Format(100.0 * share, 0) + "%";
+}
+
+std::string FormatTime(const Spread& time, double unit)
+{
+  const double median = unit * time.Median;
+  return (median < 0.9995 ? Format(median, 3) : Format(median)) + " ~" +
+    FormatPercent(GetWidth(time));
+}
+
 std::string FormatPrinted(double number)
 {
   char text[64];

@@ -2,6 +2,8 @@
 #ifndef Testing_Benchmarks_PaperFormat_h
 #define Testing_Benchmarks_PaperFormat_h
 
+#include "PaperTiming.h"
+
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -11,6 +13,10 @@ namespace paper_benchmark
 std::string Format(double number, int decimals);
 /** Three digits or more. */
 std::string Format(double number);
+/** "12%", of a share. */
+std::string FormatPercent(double share);
+/** "0.123 ~12%": a median, times `unit`, and its spread. */
+std::string FormatTime(const Spread& time, double unit);
 /** A number of the paper, as it stands there but for zeros at its end. */
 std::string FormatPrinted(double number);
 /** "ours (the paper's)". */

@@ -75,7 +75,7 @@ HashProbes CountProbes(const Octree<3>& tree)
 
 std::string FormatNanoseconds(const Spread& time)
 {
-  return time.Median == 0.0 ? "-" : Format(1e9 * time.Median);
+  return time.Median == 0.0 ? "-" : FormatTime(time, 1e9);
 }
 }
 

@@ -73,8 +73,8 @@ void WriteTrees(std::ostream& out, const Sets& sets)
 void WriteMemory(std::ostream& out, const Sets& sets)
 {
   out << "\n### Memory, MB\n\nMB are 2^20 bytes of the nodes (ours: blocks, keys and table), "
-         "without the points' order. The paper's table of fixed size makes its smallest trees the "
-         "largest (E17).\n\n";
+         "without the points' order. The paper's table of fixed size is "
+         "nearly all that its small trees take (E17).\n\n";
   WriteHead(out, NameStructures("set"));
   const auto writeRow = [&out](const std::string& name, const auto& getOurs, const auto& getPapers)
   {
@@ -122,7 +122,7 @@ void WriteBuilds(std::ostream& out, const Sets& sets)
     std::vector<std::string> row{ set.Set.Name };
     for (std::size_t structure = 0; structure < NumberOfStructures; ++structure)
     {
-      const std::string ours = Format(1e3 * set.Builds[structure].Median);
+      const std::string ours = FormatTime(set.Builds[structure], 1e3);
       const std::size_t column = GetColumn(structure);
       row.push_back(
         column == StartDepthColumn ? ours : FormatBeside(ours, FormatPrinted(paper[column])));
@@ -163,17 +163,17 @@ void WriteOptimisation(std::ostream& out, const Sets& sets)
     { "set", "paper's layout (the paper's)", "% of its build (the paper's)", "ours",
       "% of its build" });
   const auto getPercent = [](const Spread& optimise, const Spread& build)
-  { return Format(100.0 * optimise.Median / build.Median); };
+  { return Format(100.0 * optimise.Median / build.Median, 3); };
   for (const PaperResults& set : sets)
   {
     const PaperNumbers& paper = set.Set.Paper;
     WriteRow(out,
       { set.Set.Name,
         FormatBeside(
-          Format(1e6 * set.PaperOptimise.Median), FormatPrinted(1e3 * paper.OptimiseMilliseconds)),
+          FormatTime(set.PaperOptimise, 1e6), FormatPrinted(1e3 * paper.OptimiseMilliseconds)),
         FormatBeside(
-          getPercent(set.PaperOptimise, set.Builds[PaperBuilt]), Format(GetPaperPercent(paper))),
-        Format(1e6 * set.OurOptimise.Median), getPercent(set.OurOptimise, set.Builds[OursBuilt]) });
+          getPercent(set.PaperOptimise, set.Builds[PaperBuilt]), Format(GetPaperPercent(paper), 1)),
+        FormatTime(set.OurOptimise, 1e6), getPercent(set.OurOptimise, set.Builds[OursBuilt]) });
   }
 }
 

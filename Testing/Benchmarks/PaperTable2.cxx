@@ -70,7 +70,7 @@ void WriteTimes(std::ostream& out, const Sets& sets, std::size_t kind)
     std::vector<std::string> row{ set.Set.Name };
     for (std::size_t peer = 0; peer < NumberOfPeers; ++peer)
     {
-      const std::string ours = Format(1e6 * set.Times[kind][peer].Median, 3);
+      const std::string ours = FormatTime(set.Times[kind][peer], 1e6);
       const std::size_t column = GetColumn(peer);
       row.push_back(column == NumberOfColumns
           ? ours
@@ -79,7 +79,7 @@ void WriteTimes(std::ostream& out, const Sets& sets, std::size_t kind)
     WriteRow(out, row);
   }
   std::vector<std::string> means{ "mean" };
-  std::vector<std::string> spreads{ "spread, %" };
+  std::vector<std::string> spreads{ "largest spread" };
   for (std::size_t peer = 0; peer < NumberOfPeers; ++peer)
   {
     const std::string ours = Format(GetMean(GetTimes(sets, kind, peer)), 3);
@@ -87,12 +87,8 @@ void WriteTimes(std::ostream& out, const Sets& sets, std::size_t kind)
     means.push_back(column == NumberOfColumns
         ? ours
         : FormatBeside(ours, Format(GetMean(GetPaperTimes(sets, kind, column)), 2)));
-    const auto spread = [=](const PaperResults& set)
-    {
-      const Spread& time = set.Times[kind][peer];
-      return 100.0 * (time.Upper - time.Lower) / time.Median;
-    };
-    spreads.push_back(Format(Summarise(sets, spread).Highest, 0));
+    const auto width = [=](const PaperResults& set) { return GetWidth(set.Times[kind][peer]); };
+    spreads.push_back("~" + FormatPercent(Summarise(sets, width).Highest));
   }
   WriteRow(out, means);
   WriteRow(out, spreads);

@@ -15,25 +15,23 @@ const std::vector<std::string> WorkloadNames{ "all points", "all leaves", "a gri
 
 std::string FormatComparison(const ModelComparison& comparison)
 {
-  switch (comparison.Outcome)
+  if (comparison.Outcome == ModelOutcome::Alike)
   {
-    case ModelOutcome::Wins:
-      return "wins, x " + Format(comparison.BestOther);
-    case ModelOutcome::Ties:
-      return "ties, x " + Format(comparison.BestOther);
-    case ModelOutcome::Loses:
-      return "loses, x " + Format(comparison.BestOther);
-    default:
-      return "all alike";
+    return "all alike";
   }
+  return (comparison.Outcome == ModelOutcome::Wins      ? "wins, x "
+             : comparison.Outcome == ModelOutcome::Ties ? "ties, x "
+                                                        : "loses, x ") +
+    Format(comparison.BestOther) + " ~" + FormatPercent(comparison.Width);
 }
 
 void WriteTable3BySet(std::ostream& out, const std::vector<PaperResults>& sets)
 {
   out
     << "\nSet by set: whether the start depth of the row's own model is the fastest, beside those "
-       "of the other models that differ from it, and the time of the best of these over its own. "
-       "It wins or loses where the middle halves of the repetitions lie apart, else it ties.\n\n";
+       "of the other models that differ from it, the time of the best of these over its own, and "
+       "after ~ the largest spread of the times compared. It wins or loses where the middle halves "
+       "of the repetitions lie apart, else it ties.\n\n";
   std::vector<std::string> head{ "set", "start depths" };
   for (const std::string layout : { "its layout: ", "ours: " })
   {
@@ -67,10 +65,12 @@ void WriteTable3(std::ostream& out, const std::vector<PaperResults>& sets)
 {
   constexpr double paper[3][3] = { { 1.30, 1.33, 2.45 }, { 0.95, 0.93, 1.52 },
     { 1.70, 1.66, 0.89 } };
-  out << "\n## Table 3: direct searches by frequency model, us each\n\nMeans over the sets, from "
-         "start depths that are medians by the three models. Leaves: at most "
-      << MaxLeafSearches
-      << " of a set, every k-th. Searches begin with keys, not with coordinates.\n\n";
+  out
+    << "\n## Table 3: direct searches by frequency model, us each\n\nMeans over the sets, from "
+       "start depths that are medians by the three models. Leaves: at most "
+    << MaxLeafSearches
+    << " of a set, every k-th. Searches begin with keys, not with coordinates. After ~ the largest "
+       "spread of a set.\n\n";
   WriteHead(out,
     { "search", "paper's numbers: f_points", "f_leaves", "f_grid", "its layout here: f_points",
       "f_leaves", "f_grid", "ours: f_points", "f_leaves", "f_grid" });
@@ -85,11 +85,12 @@ void WriteTable3(std::ostream& out, const std::vector<PaperResults>& sets)
     {
       for (std::size_t model = 0; model < 3; ++model)
       {
-        cells.push_back(Format(1e6 *
-            Summarise(
-              sets, [=](const PaperResults& set) { return (set.*times)[row][model].Median; })
-              .Mean,
-          3));
+        const auto getTime = [=](const PaperResults& set) -> const Spread&
+        { return (set.*times)[row][model]; };
+        const auto mean =
+          Summarise(sets, [=](const auto& set) { return getTime(set).Median; }).Mean;
+        const auto width = Summarise(sets, [=](const auto& set) { return GetWidth(getTime(set)); });
+        cells.push_back(Format(1e6 * mean, 3) + " ~" + FormatPercent(width.Highest));
       }
     }
     WriteRow(out, cells);

@@ -17,6 +17,12 @@ struct Spread
   double Upper = 0.0;
 };
 
+/** The width of the middle half over the median. */
+inline double GetWidth(const Spread& time)
+{
+  return (time.Upper - time.Lower) / time.Median;
+}
+
 /** One is slower than another when the middle halves of their repetitions lie apart. */
 inline bool IsSlower(const Spread& time, const Spread& other)
 {
