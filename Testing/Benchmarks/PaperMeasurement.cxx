@@ -9,6 +9,8 @@
 #include "PaperWorkloads.h"
 #include "StartDepths.h"
 
+#include <algorithm>
+#include <functional>
 #include <random>
 
 namespace paper_benchmark
@@ -22,16 +24,16 @@ using hashedoctree::Octree;
 using hashedoctree::PointSpan;
 using Selection = hashedoctree::PointSelection<3>;
 
-/** Builds all structures again and again; the last of each stay. Sorting the points, which the
- * others share, counts for each of them. */
+/** Builds all structures again and again; the last of each stay. The others share the points that
+ * are sorted before; sorting them anew takes its turn, too, and counts for each of them. */
 void MeasureBuilds(const std::vector<float>& points, int repetitions, PaperTrees& trees,
   std::unique_ptr<SortedPoints<3>>& sorted, PaperResults& results)
 {
   const PointSpan<3, float> span{ points.data(), points.size() / 3 };
   const auto buildOurs = [&]
   { trees.Ours = Octree<3>(span, Selection(span, {}, Execution()), {}, Execution()); };
-  const auto sort = [&]
-  { sorted = std::make_unique<SortedPoints<3>>(span, Selection(span, {}, Execution()), 1); };
+  const auto sort = [&span]
+  { return std::make_unique<SortedPoints<3>>(span, Selection(span, {}, Execution()), 1); };
   const auto build = [&sorted](auto& tree, const auto&... hash)
   {
     using Tree = std::remove_const_t<typename std::decay_t<decltype(tree)>::element_type>;
@@ -40,9 +42,13 @@ void MeasureBuilds(const std::vector<float>& points, int repetitions, PaperTrees
   };
   buildOurs();
   const hashedoctree::MixingHash mixing(trees.Ours.GetNumberOfNodes() / 2);
-  // Sorting is not repeated among the others, which refer to the sorted points.
-  const Spread sorting = TimeInTurns({ [&] { return GetSeconds(sort); } }, 1, repetitions).front();
-  const std::vector<Spread> times = TimeInTurns(
+  sorted = sort();
+  const auto sortAnew = [&sort]
+  {
+    std::unique_ptr<SortedPoints<3>> anew;
+    return GetSeconds([&] { anew = sort(); });
+  };
+  std::vector<std::vector<double>> seconds = MeasureInTurns(
     { [&] { return build(trees.Pointers); }, [&] { return build(trees.BrotherChild); },
       [&] { return build(trees.WithParents); }, [&] { return build(trees.Paper, GetPaperHash()); },
       [&] { return build(trees.PaperMixing, mixing); },
@@ -50,13 +56,18 @@ void MeasureBuilds(const std::vector<float>& points, int repetitions, PaperTrees
       {
         trees.Ours = Octree<3>();
         return GetSeconds(buildOurs);
-      } },
+      },
+      sortAnew },
     1, repetitions);
   for (std::size_t i = 0; i < NumberOfStructures; ++i)
   {
-    const Spread before = i == OursBuilt ? Spread() : sorting;
-    results.Builds[i] = { before.Median + times[i].Median, before.Lower + times[i].Lower,
-      before.Upper + times[i].Upper };
+    std::vector<double>& times = seconds[i];
+    if (i != OursBuilt)
+    {
+      const std::vector<double>& sorting = seconds.back();
+      std::transform(times.begin(), times.end(), sorting.begin(), times.begin(), std::plus<>());
+    }
+    results.Builds[i] = GetSpread(times);
   }
   results.Bytes = { trees.Pointers->GetBytes(), trees.BrotherChild->GetBytes(),
     trees.WithParents->GetBytes(), trees.Paper->GetBytes(), trees.PaperMixing->GetBytes(),

@@ -21,7 +21,15 @@ double MeasureRun(const std::function<double()>& run)
 }
 }
 
-std::vector<Spread> TimeInTurns(
+Spread GetSpread(std::vector<double> times)
+{
+  std::sort(times.begin(), times.end());
+  const std::size_t last = times.size() - 1;
+  const double median = (times[last / 2] + times[last - last / 2]) / 2.0;
+  return { median, times[last / 4], times[last - last / 4] };
+}
+
+std::vector<std::vector<double>> MeasureInTurns(
   const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions)
 {
   std::vector<std::vector<double>> seconds(runs.size());
@@ -32,13 +40,16 @@ std::vector<Spread> TimeInTurns(
       seconds[run].push_back(MeasureRun(runs[run]) / static_cast<double>(searches));
     }
   }
+  return seconds;
+}
+
+std::vector<Spread> TimeInTurns(
+  const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions)
+{
   std::vector<Spread> spreads;
-  for (std::vector<double>& times : seconds)
+  for (const std::vector<double>& times : MeasureInTurns(runs, searches, repetitions))
   {
-    std::sort(times.begin(), times.end());
-    const std::size_t last = times.size() - 1;
-    const double median = (times[last / 2] + times[last - last / 2]) / 2.0;
-    spreads.push_back({ median, times[last / 4], times[last - last / 4] });
+    spreads.push_back(GetSpread(times));
   }
   return spreads;
 }

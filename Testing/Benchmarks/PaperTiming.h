@@ -42,9 +42,17 @@ double GetSeconds(const Function& function)
  * what the measurement before left in the caches is of no matter. */
 constexpr double SecondsOfMeasurement = 2e-3;
 
+/** Of at least one time. The middle half is from the quarter of the times that are below it,
+ * rounded down, to as many above it: of five, the second to the fourth. */
+Spread GetSpread(std::vector<double> times);
+
 /** Does all runs in turns, again and again, so that a machine that changes its speed slows them all
  * alike. A run does `searches` searches, or one build, and returns the seconds that it took; what
- * comes back, in the same order, is for one of them. */
+ * comes back is for one of them: for each run, in the same order, the time of each repetition. */
+std::vector<std::vector<double>> MeasureInTurns(
+  const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions);
+
+/** MeasureInTurns(), and the spread of each run. */
 std::vector<Spread> TimeInTurns(
   const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions);
 }
