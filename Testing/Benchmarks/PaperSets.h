@@ -42,6 +42,7 @@ struct PaperNumbers
 struct PaperSet
 {
   std::string Name;
+  std::size_t Points = 0;
   PaperNumbers Paper;
 };
 
@@ -60,8 +61,8 @@ struct PaperAverages
 };
 const PaperAverages& GetPaperAverages();
 
-/** The points of a set, three coordinates each; none when the folder does not have it. Throws
- * std::runtime_error when the file is broken. */
+/** The points of a set, three coordinates each. Throws std::runtime_error when the folder does not
+ * have it, or not with so many points. */
 std::vector<float> ReadPoints(const std::string& folder, const PaperSet& set);
 }
 

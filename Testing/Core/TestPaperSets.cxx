@@ -6,6 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <regex>
+#include <stdexcept>
 
 using namespace paper_benchmark;
 
@@ -112,6 +117,75 @@ TEST(TestPaperSets, GainsInTheCaptionOfTable2)
     { return set.Microseconds[0][PointersColumn] / set.Microseconds[0][StartDepthColumn]; });
   EXPECT_NEAR(*std::min_element(gains.begin(), gains.end()), 1.10, 0.005);
   EXPECT_NEAR(*std::max_element(gains.begin(), gains.end()), 10.9, 0.05);
+}
+
+TEST(TestPaperSets, AreThoseOfTheGenerator)
+{
+  // "name": (generator, count),   # the paper's name
+  const auto script =
+    std::filesystem::path(__FILE__).parent_path() / "../../Data/make_point_sets.py";
+  std::ifstream file(script);
+  const std::regex entry("    \"(\\w+)\": \\(.+, ([0-9_]+)\\), +# (.+)");
+  std::vector<std::string> generated;
+  std::smatch match;
+  for (std::string line; std::getline(file, line);)
+  {
+    if (std::regex_match(line, match, entry))
+    {
+      std::string count = match[2];
+      count.erase(std::remove(count.begin(), count.end(), '_'), count.end());
+      generated.push_back(match[1].str() + ", " + count + ", " + match[3].str());
+    }
+  }
+  std::vector<std::string> sets;
+  for (const PaperSet& set : GetPaperSets())
+  {
+    sets.push_back(set.Name + ", " + std::to_string(set.Points) + ", " + set.Paper.Name);
+  }
+  EXPECT_EQ(sets.size(), 17U);
+  EXPECT_EQ(generated, sets);
+}
+
+TEST(TestPaperSets, PointsAreReadWholeOrNotAtAll)
+{
+  const auto folder = std::filesystem::temp_directory_path() /
+    ("TestPaperSets." + std::to_string(std::random_device()()));
+  std::filesystem::create_directory(folder);
+  PaperSet set;
+  set.Name = "two";
+  set.Points = 2;
+  const std::vector<float> points{ 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F };
+  const auto write = [&](std::size_t bytes)
+  {
+    std::ofstream(folder / "two.xyz", std::ios::binary)
+      .write(reinterpret_cast<const char*>(points.data()), static_cast<std::streamsize>(bytes));
+  };
+  const auto getError = [&]
+  {
+    try
+    {
+      ReadPoints(folder.string(), set);
+    }
+    catch (const std::runtime_error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string advice =
+    "; make the points with python3 Data/make_point_sets.py FOLDER, and give --points FOLDER";
+  const std::string path = "'" + (folder / "two.xyz").string() + "'";
+  EXPECT_EQ(getError(), "cannot read " + path + advice);
+  for (const std::size_t bytes : { 0, 12, 23 })
+  {
+    write(bytes);
+    EXPECT_EQ(getError(), path + " does not hold 2 points" + advice);
+  }
+  write(24);
+  EXPECT_EQ(ReadPoints(folder.string(), set), points);
+  set.Points = 1;
+  EXPECT_EQ(getError(), path + " does not hold 1 points" + advice);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(TestPaperSets, NamesAreDifferent)
