@@ -2,9 +2,11 @@
 """python3 make_point_sets.py FOLDER [--quick]
 
 Writes point sets of the kinds and sizes of the paper's Table 1 (see README.md): FOLDER/NAME.xyz, raw
-little-endian float32, x y z of one point after the other. Files that are there already are left as they
-are; --quick leaves out the sets above 150,000 points. Each set has a seed of its own.
+little-endian float32, x y z of one point after the other. Files that this very script has made before are
+left as they are, which FOLDER/made_by.sha256 tells; those of another version are removed first. --quick
+leaves out the sets above 150,000 points. Each set has a seed of its own.
 """
+import hashlib
 import os
 import sys
 import zlib
@@ -169,6 +171,23 @@ def write(points, path):
     os.replace(partial, path)
 
 
+def remove_outdated(folder):
+    """Removes the sets of another version of this script, and only then says that those to come are of this one:
+    whenever it is interrupted, no set is taken for one that it is not."""
+    with open(__file__, "rb") as script:
+        version = hashlib.sha256(script.read()).hexdigest() + "\n"
+    path = os.path.join(folder, "made_by.sha256")
+    if os.path.exists(path):
+        with open(path, encoding="ascii", errors="replace") as file:
+            if file.read() == version:
+                return
+    for name in SETS:
+        if os.path.exists(os.path.join(folder, f"{name}.xyz")):
+            os.remove(os.path.join(folder, f"{name}.xyz"))
+    with open(path, "w", encoding="ascii") as file:
+        file.write(version)
+
+
 def main(arguments):
     quick = "--quick" in arguments
     folders = [a for a in arguments if a != "--quick"]
@@ -176,6 +195,7 @@ def main(arguments):
         sys.exit("make_point_sets: usage: python3 make_point_sets.py FOLDER [--quick]")
     try:
         os.makedirs(folders[0], exist_ok=True)
+        remove_outdated(folders[0])
         for name, (make, count) in SETS.items():
             path = os.path.join(folders[0], f"{name}.xyz")
             if not os.path.exists(path) and not (quick and count > QUICK_LIMIT):
@@ -185,4 +205,5 @@ def main(arguments):
         sys.exit(f"make_point_sets: cannot write to {folders[0]}: {error.strerror or error}")
 
 
-main(sys.argv[1:])
+if __name__ == "__main__":
+    main(sys.argv[1:])

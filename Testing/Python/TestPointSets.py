@@ -21,14 +21,15 @@ def path(name):
     return os.path.join(folder, f"{name}.xyz")
 
 
-def make():
-    subprocess.run([sys.executable, SCRIPT, folder, "--quick"], check=True)
+def make(script=SCRIPT):
+    subprocess.run([sys.executable, script, folder, "--quick"], check=True)
 
 
 for name in os.listdir(folder):
     os.remove(os.path.join(folder, name))
 make()
-assert sorted(os.listdir(folder)) == sorted(f"{name}.xyz" for name in COUNTS), os.listdir(folder)
+assert sorted(os.listdir(folder)) == sorted(["made_by.sha256"] + [f"{name}.xyz" for name in COUNTS]), \
+    os.listdir(folder)
 points = {name: np.fromfile(path(name), "<f4").reshape(-1, 3) for name in COUNTS}
 for name, count in COUNTS.items():
     assert len(points[name]) == count and np.isfinite(points[name]).all(), name
@@ -53,6 +54,23 @@ os.remove(path("stadium_10k"))
 make()
 assert os.path.getsize(path("sphere_1k")) == 4
 assert np.array_equal(np.fromfile(path("stadium_10k"), "<f4").reshape(-1, 3), points["stadium_10k"])
+
+# All sets of another version of the script are made anew: when it has changed, also those that --quick leaves
+# out are removed; and when it is not known.
+changed = os.path.join(folder, "changed.py")
+with open(SCRIPT, encoding="utf-8") as file, open(changed, "w", encoding="utf-8") as copy:
+    copy.write(file.read().replace('"sphere_1k": (sphere, 900)', '"sphere_1k": (sphere, 800)'))
+for name in ("scan_35k", "flow_257k"):
+    with open(path(name), "wb") as file:
+        file.write(b"kept")
+make(changed)
+assert os.path.getsize(path("sphere_1k")) == 800 * 12
+assert np.array_equal(np.fromfile(path("scan_35k"), "<f4").reshape(-1, 3), points["scan_35k"])
+assert not os.path.exists(path("flow_257k"))
+os.remove(os.path.join(folder, "made_by.sha256"))
+make()
+assert os.path.getsize(path("sphere_1k")) == 900 * 12
+os.remove(changed)
 for arguments in ([], ["--fast"], [folder, folder]):
     failed = subprocess.run([sys.executable, SCRIPT, *arguments], capture_output=True, text=True)
     assert failed.returncode != 0 and "usage" in failed.stderr, failed
