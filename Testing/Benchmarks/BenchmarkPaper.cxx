@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 
 using namespace paper_benchmark;
@@ -25,6 +26,7 @@ struct Options
 {
   std::string Points = ".";
   std::string Output = "paper.md";
+  std::string Sets; ///< Names between commas; all when empty.
   int Repetitions = 5;
   bool Quick = false;
   bool HelpWanted = false;
@@ -59,6 +61,10 @@ Options ReadOptions(const std::vector<std::string>& arguments)
     {
       options.Output = getValue(++i);
     }
+    else if (arguments[i] == "--sets")
+    {
+      options.Sets = getValue(++i);
+    }
     else if (arguments[i] == "--repetitions")
     {
       options.Repetitions = std::atoi(getValue(++i).c_str());
@@ -79,15 +85,45 @@ Options ReadOptions(const std::vector<std::string>& arguments)
 constexpr const char* Help = "Repeats the paper's experiments, and writes them as Markdown.\n"
                              "  --points FOLDER   that Data/make_point_sets.py wrote\n"
                              "  --output FILE     default: paper.md\n"
+                             "  --sets A,B        only these; default: all\n"
                              "  --repetitions N   default 5\n"
                              "  --quick           only the sets of up to 150,000 points\n";
 
-std::vector<PaperResults> MeasureSets(const Options& options)
+std::vector<PaperSet> ChooseSets(const Options& options)
 {
   std::vector<PaperSet> sets = GetPaperSets();
-  sets.erase(std::remove_if(sets.begin(), sets.end(),
-               [&](const PaperSet& set) { return options.Quick && set.Points > QuickLimit; }),
-    sets.end());
+  if (!options.Sets.empty())
+  {
+    sets.clear();
+    std::istringstream names(options.Sets);
+    for (std::string name; std::getline(names, name, ',');)
+    {
+      const auto set = std::find_if(GetPaperSets().begin(), GetPaperSets().end(),
+        [&name](const PaperSet& other) { return other.Name == name; });
+      if (set == GetPaperSets().end())
+      {
+        throw std::runtime_error(
+          "no set '" + name + "'; the names are those of Data/make_point_sets.py");
+      }
+      sets.push_back(*set);
+    }
+  }
+  if (options.Quick)
+  {
+    sets.erase(std::remove_if(sets.begin(), sets.end(),
+                 [](const PaperSet& set) { return set.Points > QuickLimit; }),
+      sets.end());
+  }
+  if (sets.empty())
+  {
+    throw std::runtime_error("no set is left; try other --sets, or without --quick");
+  }
+  return sets;
+}
+
+std::vector<PaperResults> MeasureSets(const Options& options)
+{
+  const std::vector<PaperSet> sets = ChooseSets(options);
   for (const PaperSet& set : sets)
   {
     ReadPoints(options.Points, set); // What is missing is told at once, not after half an hour.

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InventedPaperResults.h"
+#include "MarkdownTables.h"
+#include "PaperClaims.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <sstream>
+
+using namespace paper_benchmark;
+
+namespace
+{
+using Sets = std::vector<PaperResults>;
+
+/** Sets with which all claims hold: the more the depths vary, the less is gained. */
+Sets MakeSets()
+{
+  Sets sets;
+  for (int i = 0; i < 5; ++i)
+  {
+    sets.push_back(InventPaperResults("set" + std::to_string(i)));
+    PaperResults& set = sets.back();
+    set.DepthDeviation = 1.0 + i;
+    set.Costs.Root = 20.0 - i;
+    set.Times[Direct][PaperRoot] = InventTime((20.0 - i) * 1e-6);
+    set.Times[Direct][OursRoot] = InventTime((10.0 - i) * 1e-6);
+  }
+  return sets;
+}
+
+using Verdicts = std::vector<std::string>;
+
+/** The row of the claim that begins so: what is measured and the verdict, of the paper's layout and
+ * of ours. */
+Verdicts Judge(const Sets& sets, const std::string& claim)
+{
+  std::stringstream text;
+  WriteClaims(text, sets);
+  const MarkdownTables report(text);
+  for (const auto& row : report.Get("Claims of the paper"))
+  {
+    if (row.front().rfind(claim, 0) == 0)
+    {
+      return { row.begin() + 1, row.end() };
+    }
+  }
+  return {};
+}
+
+/** Breaks a claim in one set, then in all of them, which must show in the verdict of one layout, 0
+ * of the paper's and 1 of ours, and in that alone when the claim is judged for each. */
+void ExpectJudged(const std::string& claim, std::size_t layout,
+  const std::function<void(PaperResults&)>& breakIn, const std::string& inOne,
+  const std::string& inAll = "holds not")
+{
+  SCOPED_TRACE(claim + ", layout " + std::to_string(layout));
+  Sets sets = MakeSets();
+  Verdicts row = Judge(sets, claim);
+  ASSERT_EQ(row.size(), 4U);
+  const bool both = row[2] == "the same";
+  EXPECT_EQ(row[2 * layout + 1], "holds");
+  breakIn(sets[2]);
+  row = Judge(sets, claim);
+  EXPECT_EQ(row[2 * layout + 1], inOne);
+  EXPECT_EQ(row[3 - 2 * layout], both ? inOne : row[0] == "-" ? "-" : "holds");
+  std::for_each(sets.begin(), sets.end(), breakIn);
+  row = Judge(sets, claim);
+  EXPECT_EQ(row[2 * layout + 1], inAll);
+}
+
+constexpr const char* OneOfFive = "depends: 4 of 5 sets";
+constexpr const char* OneOfFifteen = "depends: 14 of 15 models of sets";
+constexpr const char* TenOfFifteen = "depends: 10 of 15 models of sets";
+}
+
+TEST(TestPaperClaims, OfModels)
+{
+  ExpectJudged(
+    "The optimised start is never worse", 0,
+    [](PaperResults& set) { set.Frequencies[1].Medians[1] = 11.0; }, OneOfFifteen, TenOfFifteen);
+  ExpectJudged(
+    "... nor slower, direct", 0,
+    [](PaperResults& set) { set.Times[Direct][PaperRoot] = InventTime(1e-6); }, OneOfFive);
+  ExpectJudged(
+    "... nor slower, direct", 1,
+    [](PaperResults& set) { set.Times[Direct][OursRoot] = InventTime(0.5e-6); }, OneOfFive);
+  ExpectJudged(
+    "The root is the worst", 0, [](PaperResults& set) { set.Frequencies[2].Deepest = 11.0; },
+    OneOfFifteen, TenOfFifteen);
+  ExpectJudged(
+    "The right frequency model is the best", 0,
+    [](PaperResults& set) { set.Frequencies[0].Medians[2] = 1.5; }, OneOfFifteen, TenOfFifteen);
+  ExpectJudged(
+    "... and the fastest", 0,
+    [](PaperResults& set) { set.PaperWorkloads[0][1] = InventTime(1e-6); }, OneOfFifteen,
+    TenOfFifteen);
+  ExpectJudged(
+    "... and the fastest", 1,
+    [](PaperResults& set) { set.OurWorkloads[2][0] = InventTime(0.5e-6); }, OneOfFifteen,
+    TenOfFifteen);
+}
+
+TEST(TestPaperClaims, OfNeighborsAndBuilds)
+{
+  ExpectJudged(
+    "... and not slower than pointers", 0,
+    [](PaperResults& set) { set.Times[Direct][Pointers] = InventTime(1.5e-6); }, OneOfFive);
+  ExpectJudged(
+    "... and not slower than pointers", 1,
+    [](PaperResults& set) { set.Times[Direct][OursMedian] = InventTime(5e-6); }, OneOfFive);
+  ExpectJudged(
+    "The direct start depth serves", 1,
+    [](PaperResults& set) { set.Neighbors.Adjacent.Median = 23.0; }, OneOfFive);
+  ExpectJudged(
+    "... and in-radius searches", 1,
+    [](PaperResults& set) { set.Neighbors.InRadius.Median = 34.0; }, OneOfFive);
+  ExpectJudged(
+    "A start depth for each node", 1, [](PaperResults& set) { set.Neighbors.Adjacent.Own = 21.0; },
+    OneOfFive);
+  ExpectJudged(
+    "The build is not slower", 0,
+    [](PaperResults& set) { set.Builds[PaperBuilt] = InventTime(5.0); }, OneOfFive);
+  ExpectJudged(
+    "The build is not slower", 1,
+    [](PaperResults& set) { set.Builds[OursBuilt] = InventTime(3.5); }, OneOfFive);
+  ExpectJudged(
+    "The memory is not above", 0, [](PaperResults& set) { set.Bytes[PaperBuilt] = 43U << 20; },
+    OneOfFive);
+  ExpectJudged(
+    "The memory is not above", 1, [](PaperResults& set) { set.Bytes[OursBuilt] = 43U << 20; },
+    OneOfFive);
+  ExpectJudged(
+    "Choosing the start depth", 0, [](PaperResults& set) { set.PaperOptimise = InventTime(0.021); },
+    OneOfFive);
+  ExpectJudged(
+    "Choosing the start depth", 1, [](PaperResults& set) { set.OurOptimise = InventTime(0.011); },
+    OneOfFive);
+}
+
+TEST(TestPaperClaims, SpeedUpIsTheMeanOfRatiosToBrotherChild)
+{
+  // 16 and 32 times in each set; in one of them 10 times, by which the mean falls below 15.
+  Sets sets = MakeSets();
+  const std::string claim = "Direct searches are 15 times";
+  EXPECT_EQ(Judge(sets, claim)[1], "holds");
+  EXPECT_EQ(Judge(sets, claim)[3], "holds");
+  sets[1].Times[Direct][PaperStart] = InventTime(3.2e-6);
+  EXPECT_EQ(Judge(sets, claim)[1], "holds not");
+  EXPECT_EQ(Judge(sets, claim)[3], "holds");
+  EXPECT_NE(Judge(sets, claim)[0].find("10.0 to 16.0, mean 14.8"), std::string::npos);
+  EXPECT_NE(Judge(sets, claim)[0].find("ratio of means: 14.3"), std::string::npos);
+  for (PaperResults& set : sets)
+  {
+    set.Times[Adjacent][OursMedian] = InventTime(17e-6);
+  }
+  EXPECT_EQ(Judge(sets, "Adjacent searches are several")[3], "holds not");
+  EXPECT_EQ(Judge(sets, "Adjacent searches are several")[1], "holds");
+  EXPECT_EQ(Judge(sets, "In-radius searches are several")[3], "holds");
+}
+
+TEST(TestPaperClaims, GainByDeviationIsACorrelation)
+{
+  Sets sets = MakeSets();
+  const std::string claim = "The gain is small where depths vary";
+  EXPECT_EQ(Judge(sets, claim)[1], "holds");
+  EXPECT_EQ(Judge(sets, claim)[3], "holds");
+  for (PaperResults& set : sets)
+  {
+    set.Times[Direct][OursRoot] = InventTime(set.DepthDeviation);
+  }
+  EXPECT_EQ(Judge(sets, claim)[1], "holds");
+  EXPECT_EQ(Judge(sets, claim)[3], "depends: nodes holds, time holds not");
+  sets.resize(2);
+  EXPECT_EQ(Judge(sets, claim)[1], "cannot be told");
+}
+
+TEST(TestPaperClaims, MemoryIsJudgedOfBigSets)
+{
+  Sets sets = MakeSets();
+  sets[0].Nodes = 1000;
+  sets[0].Bytes[OursBuilt] = 100U << 20;
+  const std::string claim = "The memory is not above";
+  EXPECT_EQ(Judge(sets, claim)[3], "holds");
+  sets.resize(1);
+  EXPECT_EQ(Judge(sets, claim)[3], "not measured");
+}
