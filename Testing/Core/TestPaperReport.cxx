@@ -69,6 +69,9 @@ TEST(TestPaperReport, Table2HasGainsBothWays)
   const MarkdownTables report = MakeReport();
   const std::string kind = "Adjacent neighbours";
   EXPECT_EQ(report.GetCell(kind, "second", "paper, start depth"), "20.0 ~30% (8.70)");
+  EXPECT_EQ(report.GetCell(kind, "second", "8 pointers"), "4.00 ~10% (38.34)");
+  EXPECT_EQ(report.GetCell(kind, "second", "brother/child"), "32.0 ~10% (35.93)");
+  EXPECT_EQ(report.GetCell(kind, "second", "paper, root"), "8.00 ~10% (59.70)");
   EXPECT_EQ(report.GetCell(kind, "second", "ours, median"), "1.00 ~10%");
   EXPECT_EQ(report.GetCell(kind, "mean", "paper, start depth"), "11.000 (8.16)");
   EXPECT_EQ(report.GetCell(kind, "largest spread", "paper, start depth"), "~30%");
