@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The point sets of the paper's experiments: their sizes and kinds, the same in every run."""
+"""The point sets of the paper's experiments: their sizes and kinds, the same in every run; those that take long by
+their generators, with few points."""
 import os
 import subprocess
 import sys
@@ -12,6 +13,8 @@ def argument(option):
 
 
 SCRIPT = os.path.join(argument("-D"), "make_point_sets.py")
+sys.path.insert(0, argument("-D"))
+import make_point_sets as sets  # noqa: E402
 COUNTS = {"sphere_1k": 900, "scan_35k": 35_000, "stadium_10k": 10_000, "scan_100k": 100_000, "gyroid_100k": 100_000,
           "csg_82k": 82_000, "volcano_133k": 133_000}
 folder = argument("-T")
@@ -74,3 +77,70 @@ os.remove(changed)
 for arguments in ([], ["--fast"], [folder, folder]):
     failed = subprocess.run([sys.executable, SCRIPT, *arguments], capture_output=True, text=True)
     assert failed.returncode != 0 and "usage" in failed.stderr, failed
+
+# The generators of all sets.
+COUNT = 4000
+assert len(sets.SETS) == 17
+for name, (generate, count) in sets.SETS.items():
+    few = generate(np.random.default_rng(1), COUNT)
+    assert few.shape == (COUNT, 3) and np.isfinite(few).all(), name
+    assert count == COUNTS.get(name, count) and (count <= sets.QUICK_LIMIT) == (name in COUNTS), name
+
+
+def assert_even(shares, count):
+    """Shares of points in places of the same size, of which none may differ by five standard deviations."""
+    expected = 1 / len(shares)
+    assert np.abs(shares - expected).max() < 5 * (expected / count) ** 0.5, shares
+
+
+# Random points fill the sphere, and the cube, evenly.
+ball = sets.SETS["random_sphere_500k"][0](np.random.default_rng(2), COUNT)
+assert np.allclose(np.linalg.norm(ball, axis=1), 1, atol=1e-12)
+slices = np.histogram(ball[:, 2], 10, (-1, 1))[0]
+assert_even(slices / COUNT, COUNT)  # Archimedes: slices of a sphere have the area of their thickness.
+assert_even(np.histogramdd(ball, 2, [(-1, 1)] * 3)[0].ravel() / COUNT, COUNT)
+cube = sets.SETS["random_cube_4000k"][0](np.random.default_rng(3), COUNT)
+assert cube.min() >= 0 and cube.max() < 1
+assert_even(np.histogramdd(cube, 4, [(0, 1)] * 3)[0].ravel() / COUNT, COUNT)
+
+
+def distances(points, field):
+    """From where a field vanishes, to first order."""
+    h = 1e-5
+    gradient = np.stack([(field(points + h * axis) - field(points - h * axis)) / (2 * h) for axis in np.eye(3)], axis=1)
+    return field(points) / np.maximum(np.linalg.norm(gradient, axis=1), 1e-9)
+
+
+# Scans lie near an implicit surface, but not on it, by parts of the distance of their points; the surface itself is
+# met.
+scan = sets.scan
+for generate in (sets.blob_scan, sets.gyroid_scan):
+    fields = []
+    sets.scan = lambda rng, count, field: fields.append(field) or scan(rng, count, field)
+    scanned = generate(np.random.default_rng(4), COUNT)
+    sets.scan = scan
+    spacing = 4 / COUNT ** 0.5
+    off = np.abs(distances(scanned, fields[0])) / spacing
+    assert 0.05 < np.median(off) < 0.5 and (off > 1e-3).mean() > 0.98, (generate, np.median(off))
+    surface = sets.sample_surface(np.random.default_rng(4), COUNT, fields[0])[0]
+    assert np.abs(distances(surface, fields[0])).max() < 1e-3 * spacing, generate
+# A plane is seen from one side only: the shift of that side is the same for all points, and what differs is noise.
+height = scan(np.random.default_rng(5), COUNT, lambda x: x[:, 2])[:, 2] / spacing
+assert 0.03 < height.std() < 0.11, height.std()
+assert abs(height.mean()) > 0.05, height.mean()
+
+# Flows are ever denser towards the wing, in the plane z = 0: with a distance that is even in logarithm, and a
+# direction of which the cosine to that plane's normal is even, ln |z| has the mean ln(finest) / 2 - 1 and the
+# variance ln(finest)^2 / 12 + 1.
+for name, finest in (("flow_257k", 1e-3), ("flow_208k", 1e-6)):
+    logarithm = np.log(np.abs(sets.SETS[name][0](np.random.default_rng(6), COUNT)[:, 2]))
+    deviation = (np.log(finest) ** 2 / 12 + 1) ** 0.5
+    assert abs(logarithm.mean() - (np.log(finest) / 2 - 1)) < 5 * deviation / COUNT ** 0.5, (name, logarithm.mean())
+    assert abs(logarithm.std() / deviation - 1) < 0.05, (name, logarithm.std())
+
+# The stadium's bowl is empty, and its seats stand in 40 rows around it.
+seats = sets.stadium(np.random.default_rng(7), COUNT)
+radius = np.hypot(seats[:, 0] / 1.1, seats[:, 1] / 0.9)
+assert 0.3 - 1e-6 < radius.min() and radius.max() < 0.45
+assert len(np.unique(np.round(radius, 5))) == 40
+assert len(np.unique(seats[: COUNT - COUNT * 3 // 4, 2])) == 40
