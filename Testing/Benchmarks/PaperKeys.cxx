@@ -62,21 +62,39 @@ HashProbes CountProbes(const Octree<3>& tree)
   {
     table.Insert(tree.GetBlockKey(block).GetValue(), block);
   }
-  const std::vector<std::size_t> lengths = table.GetProbeLengths();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < lengths.size(); ++i)
-  {
-    sum += static_cast<double>(lengths[i] * (i + 1));
-  }
-  const auto keys = static_cast<double>(table.GetNumberOfKeys());
-  return { table.GetLoadFactor(), static_cast<double>(lengths.front()) / keys, sum / keys,
-    lengths.size() };
+  return SummariseProbes(table.GetLoadFactor(), table.GetProbeLengths());
 }
 
 std::string FormatNanoseconds(const Spread& time)
 {
   return time.Median == 0.0 ? "-" : FormatTime(time, 1e9);
 }
+}
+
+HashProbes SummariseProbes(double load, const std::vector<std::size_t>& lengths)
+{
+  HashProbes probes;
+  probes.Load = load;
+  probes.Greatest = lengths.size();
+  double keys = 0.0;
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+  {
+    const auto number = static_cast<double>(lengths[i]);
+    std::size_t place = 0;
+    while (place + 1 < probes.Shares.size() && i >= std::size_t(1) << place)
+    {
+      ++place;
+    }
+    probes.Shares[place] += number;
+    probes.Mean += number * static_cast<double>(i + 1);
+    keys += number;
+  }
+  probes.Mean /= keys;
+  for (double& share : probes.Shares)
+  {
+    share /= keys;
+  }
+  return probes;
 }
 
 void MeasureKeys(
@@ -90,26 +108,36 @@ void MeasureKeys(
 void WriteKeys(std::ostream& out, const std::vector<PaperResults>& sets)
 {
   out << "\n## Keys and their hashing\n\nTime for the key of one point, given its cell, by integer "
-         "dilation and by the machine's bit deposit (- where it has none). Then our table with the "
-         "keys of the internal nodes, by the paper's hash (the low bits of the key) and by the "
-         "mixing hash: share of slots taken, share of keys found in the first bucket of "
-      << hashedoctree::SlotsOfBucket
-      << " slots that is looked at, mean and greatest number of buckets.\n\n";
-  WriteHead(out,
-    { "set", "ns dilation", "ns bit deposit", "low bits: load", "in the first", "mean", "greatest",
-      "mixing: load", "in the first", "mean", "greatest" });
+         "dilation and by the machine's bit deposit (- where it has none).\n\n";
+  WriteHead(out, { "set", "ns dilation", "ns bit deposit" });
   for (const PaperResults& set : sets)
   {
-    std::vector<std::string> row{ set.Set.Name, FormatNanoseconds(set.Keys.Dilation),
-      FormatNanoseconds(set.Keys.Pdep) };
-    for (const HashProbes& probes : { set.Keys.LowBits, set.Keys.Mixing })
+    WriteRow(out,
+      { set.Set.Name, FormatNanoseconds(set.Keys.Dilation), FormatNanoseconds(set.Keys.Pdep) });
+  }
+  out
+    << "\nOur table with the keys of the internal nodes, by the paper's hash (the low bits of the "
+       "key) and by the mixing hash: share of slots taken, percent of the keys for which so many "
+       "buckets of "
+    << hashedoctree::SlotsOfBucket
+    << " slots are looked at, mean and greatest number of buckets.\n\n";
+  WriteHead(out,
+    { "set", "hash", "load", "% 1 bucket", "2", "3 to 4", "5 to 8", "9 to 16", "more", "mean",
+      "greatest" });
+  for (const PaperResults& set : sets)
+  {
+    for (const HashProbes* probes : { &set.Keys.LowBits, &set.Keys.Mixing })
     {
-      row.push_back(Format(probes.Load));
-      row.push_back(Format(probes.First));
-      row.push_back(Format(probes.Mean));
-      row.push_back(std::to_string(probes.Greatest));
+      std::vector<std::string> row{ set.Set.Name,
+        probes == &set.Keys.LowBits ? "low bits" : "mixing", Format(probes->Load) };
+      for (const double share : probes->Shares)
+      {
+        row.push_back(Format(100.0 * share));
+      }
+      row.push_back(Format(probes->Mean));
+      row.push_back(std::to_string(probes->Greatest));
+      WriteRow(out, row);
     }
-    WriteRow(out, row);
   }
 }
 }

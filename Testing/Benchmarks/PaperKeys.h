@@ -14,7 +14,10 @@ namespace paper_benchmark
 void MeasureKeys(const hashedoctree::Octree<3>& tree, const std::vector<float>& points,
   int repetitions, PaperResults& results);
 
-/** That as Markdown; at least one set. */
+/** From how many keys are found by looking at i + 1 buckets, at index i; at least one key. */
+HashProbes SummariseProbes(double load, const std::vector<std::size_t>& lengths);
+
+/** Both as Markdown; at least one set. */
 void WriteKeys(std::ostream& out, const std::vector<PaperResults>& sets);
 }
 

@@ -46,7 +46,7 @@ NeighborCosts GetCosts(const std::vector<std::vector<std::uint64_t>>& nodes, int
   const auto getMean = [&nodes](std::uint64_t sum)
   { return static_cast<double>(sum) / static_cast<double>(nodes.size()); };
   return { getMean(sums.front()), getMean(sums[static_cast<std::size_t>(median)]), getMean(*best),
-    static_cast<int>(best - sums.begin()), getMean(own) };
+    static_cast<int>(best - sums.begin()), getMean(own), getMean(sums.back()) };
 }
 
 /** Both options of the adjacent search (the paper's section 3b) from the median, once. */

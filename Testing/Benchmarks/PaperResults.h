@@ -55,17 +55,18 @@ struct FrequencyCosts
 /** How a hash spreads keys over a table of buckets. */
 struct HashProbes
 {
-  double Load;          ///< Share of the slots that are taken.
-  double First;         ///< Share of the keys that are in the first bucket looked at.
-  double Mean;          ///< Buckets looked at for a key.
-  std::size_t Greatest; ///< The most of them.
+  double Load = 0.0; ///< Share of the slots that are taken.
+  /** Shares of the keys for which 1, 2, 3 to 4, 5 to 8, 9 to 16, and more buckets are looked at. */
+  std::array<double, 6> Shares{};
+  double Mean = 0.0;        ///< Buckets looked at for a key.
+  std::size_t Greatest = 0; ///< The most of them.
 };
 struct KeyCosts
 {
   Spread Dilation;
   Spread Pdep; ///< Zero where the machine cannot.
-  HashProbes LowBits{};
-  HashProbes Mixing{};
+  HashProbes LowBits;
+  HashProbes Mixing;
 };
 
 /** Nodes and seconds of an adjacent search. */
@@ -79,10 +80,11 @@ struct AdjacentOption
 struct NeighborCosts
 {
   double Root;
-  double Median; ///< From the median of all leaves, as the paper does (#42).
-  double Best;   ///< From the one depth that is best for all leaves.
-  int BestDepth; ///< That depth, the smallest of equals.
-  double Own;    ///< From the depth that is best for each leaf (#41).
+  double Median;   ///< From the median of all leaves, as the paper does (#42).
+  double Best;     ///< From the one depth that is best for all leaves.
+  int BestDepth;   ///< That depth, the smallest of equals.
+  double Own;      ///< From the depth that is best for each leaf (#41).
+  double Climbing; ///< From the deepest depth: from parent to parent (#25).
 };
 struct NeighborStarts
 {

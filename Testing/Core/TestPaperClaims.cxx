@@ -176,6 +176,17 @@ TEST(TestPaperClaims, GainByDeviationIsACorrelation)
   EXPECT_EQ(Judge(sets, claim)[1], "cannot be told");
 }
 
+TEST(TestPaperClaims, OfMinimisers)
+{
+  // Paper E9.
+  const Verdicts floor = Judge(MakeSets(), "The integer part of the continuous minimiser");
+  EXPECT_EQ(floor[0], "the three agree on 2000 of 2000 random histograms");
+  EXPECT_EQ(floor[1], "holds");
+  const Verdicts rounded = Judge(MakeSets(), "... and so it is when rounded");
+  const int wrong = std::stoi(rounded[0].substr(std::string("rounding is wrong on ").size()));
+  EXPECT_EQ(rounded[1], "depends: " + std::to_string(2000 - wrong) + " of 2000 histograms");
+}
+
 TEST(TestPaperClaims, MemoryIsJudgedOfBigSets)
 {
   Sets sets = MakeSets();

@@ -84,6 +84,19 @@ TEST(TestPaperReport, Table2HasGainsBothWays)
   EXPECT_EQ(report.GetCell("The paper's gains", "Direct search", "brother/child"), "x 15.7");
 }
 
+TEST(TestPaperReport, NodesAndProbes)
+{
+  const MarkdownTables report = MakeReport();
+  const std::string neighbors = "Start depths of neighbour searches";
+  EXPECT_EQ(report.GetCell(neighbors, "first", "climbing"), "19.0");
+  EXPECT_EQ(report.GetCell(neighbors, "first", "best depth for all"), "20.0 (9)");
+  const MarkdownTables::Table& probes = report.Get("Keys and their hashing 2");
+  EXPECT_EQ(probes[1],
+    (MarkdownTables::Row{
+      "first", "low bits", "0.50", "60.0", "10.0", "10.0", "10.0", "10.0", "0.00", "2.00", "9" }));
+  EXPECT_EQ(probes[2][1], "mixing");
+}
+
 TEST(TestPaperReport, Table3HasTheLargestSpread)
 {
   const MarkdownTables report = MakeReport();

@@ -176,10 +176,11 @@ TEST(TestPaperSets, PointsAreReadWholeOrNotAtAll)
     "; make the points with python3 Data/make_point_sets.py FOLDER, and give --points FOLDER";
   const std::string path = "'" + (folder / "two.xyz").string() + "'";
   EXPECT_EQ(getError(), "cannot read " + path + advice);
+  const std::string tooSmall = path + " does not hold 2 points" + advice;
   for (const std::size_t bytes : { 0, 12, 23 })
   {
     write(bytes);
-    EXPECT_EQ(getError(), path + " does not hold 2 points" + advice);
+    EXPECT_EQ(getError(), tooSmall);
   }
   write(24);
   EXPECT_EQ(ReadPoints(folder.string(), set), points);

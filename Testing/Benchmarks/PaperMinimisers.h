@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Benchmarks_PaperMinimisers_h
+#define Testing_Benchmarks_PaperMinimisers_h
+
+#include <cstddef>
+
+namespace paper_benchmark
+{
+/** How many random histograms of depths the best start depth was looked for in, and how it was
+ * found (paper's Fig. 8 and appendix, E9). */
+struct MinimiserComparison
+{
+  std::size_t Histograms = 0;
+  std::size_t Agreeing =
+    0; ///< Discrete minimum = weighted median = integer part of the continuous.
+  std::size_t WronglyRounded = 0; ///< The continuous minimiser, rounded, is not the discrete one.
+};
+
+/** Of 1 to 22 depths, all with weight, which is odd in all, so that no depth can halve it. The same
+ * histograms each time. */
+MinimiserComparison CompareMinimisers(std::size_t histograms);
+}
+
+#endif
