@@ -49,35 +49,41 @@ NeighborCosts GetCosts(const std::vector<std::vector<std::uint64_t>>& nodes, int
     static_cast<int>(best - sums.begin()), getMean(own), getMean(sums.back()) };
 }
 
-/** Both options of the adjacent search (the paper's section 3b) from the median, once. */
-void CompareOptions(const Octree<3>& tree, const std::vector<Key>& leaves, PaperResults& results)
+/** Both options of the adjacent search (the paper's section 3b) from the median. Nodes are counted
+ * apart from the time. */
+void CompareOptions(
+  const Octree<3>& tree, const std::vector<Key>& leaves, int repetitions, PaperResults& results)
 {
-  const auto measure = [&leaves](NodeCount& count, const auto& search)
-  {
-    const double seconds = GetSeconds(
-      [&]
-      {
-        for (const Key leaf : leaves)
-        {
-          search(leaf);
-        }
-      });
-    const auto number = static_cast<double>(leaves.size());
-    return AdjacentOption{ static_cast<double>(count.Nodes) / number, seconds / number };
-  };
   std::vector<hashedoctree::Neighbor<3>> found;
-  NodeCount rejectedCount;
-  AdjacentSearchAtStartDepth<3, NodeCount> rejected(tree, rejectedCount);
-  results.Neighbors.Rejected =
-    measure(rejectedCount, [&](Key leaf) { rejected.Find(leaf, results.StartDepth, found); });
-  NodeCount takenCount;
-  results.Neighbors.Taken = measure(takenCount,
-    [&](Key leaf) { FindAdjacentLeaves(tree, leaf, results.StartDepth, found, takenCount); });
+  const auto forEachLeaf = [&leaves](const auto& search)
+  { std::for_each(leaves.begin(), leaves.end(), search); };
+  const auto reject = [&](auto& count)
+  {
+    AdjacentSearchAtStartDepth<3, std::decay_t<decltype(count)>> rejected(tree, count);
+    forEachLeaf([&](Key leaf) { rejected.Find(leaf, results.StartDepth, found); });
+  };
+  const auto take = [&](auto& count)
+  {
+    forEachLeaf(
+      [&](Key leaf) { FindAdjacentLeaves(tree, leaf, results.StartDepth, found, count); });
+  };
+  const auto getNodes = [&leaves](const auto& search)
+  {
+    NodeCount count;
+    search(count);
+    return static_cast<double>(count.Nodes) / static_cast<double>(leaves.size());
+  };
+  hashedoctree::NoCount none;
+  const std::vector<Spread> times = TimeInTurns({ [&] { return GetSeconds([&] { reject(none); }); },
+                                                  [&] { return GetSeconds([&] { take(none); }); } },
+    leaves.size(), repetitions);
+  results.Neighbors.Rejected = { getNodes(reject), times[0] };
+  results.Neighbors.Taken = { getNodes(take), times[1] };
 }
 }
 
-void MeasureNeighborStarts(
-  const Octree<3>& tree, const std::vector<Key>& leaves, double radius, PaperResults& results)
+void MeasureNeighborStarts(const Octree<3>& tree, const std::vector<Key>& leaves, double radius,
+  int repetitions, PaperResults& results)
 {
   const std::vector<Key> scanned(
     leaves.begin(), leaves.begin() + std::min(leaves.size(), MaxScannedLeaves));
@@ -102,8 +108,13 @@ void MeasureNeighborStarts(
   starts.Adjacent = GetCosts(adjacent, results.StartDepth);
   starts.InRadius = GetCosts(inRadius, results.StartDepth);
   hashedoctree::NodeStartDepths<3> stored;
-  starts.StoredSeconds =
-    GetSeconds([&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });
+  const auto makeStored = [&]
+  {
+    stored = {};
+    return GetSeconds(
+      [&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });
+  };
+  starts.StoredTime = TimeInTurns({ makeStored }, 1, repetitions).front();
   starts.StoredBytes = stored.GetBytes();
   for (std::size_t i = 0; i < scanned.size(); ++i)
   {
@@ -114,6 +125,7 @@ void MeasureNeighborStarts(
     results.DifferentAnswers += countAdjacent(scanned[i], startDepth) == fewest ? 0 : 1;
   }
   CompareOptions(tree,
-    { scanned.begin(), scanned.begin() + std::min(scanned.size(), MaxRejectedLeaves) }, results);
+    { scanned.begin(), scanned.begin() + std::min(scanned.size(), MaxRejectedLeaves) }, repetitions,
+    results);
 }
 }

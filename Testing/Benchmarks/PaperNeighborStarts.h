@@ -17,7 +17,7 @@ constexpr std::size_t MaxRejectedLeaves = 200;
  * 4, #41, #42), and checks that NodeStartDepths has the best for each leaf. `radius` is in world
  * units. */
 void MeasureNeighborStarts(const hashedoctree::Octree<3>& tree, const std::vector<Key>& leaves,
-  double radius, PaperResults& results);
+  double radius, int repetitions, PaperResults& results);
 }
 
 #endif

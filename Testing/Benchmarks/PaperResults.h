@@ -69,11 +69,11 @@ struct KeyCosts
   HashProbes Mixing;
 };
 
-/** Nodes and seconds of an adjacent search. */
+/** Mean number of nodes and time of an adjacent search. */
 struct AdjacentOption
 {
   double Nodes = 0.0;
-  double Seconds = 0.0;
+  Spread Time;
 };
 
 /** Mean numbers of nodes that searches for the neighbours of a leaf examine. */
@@ -91,7 +91,7 @@ struct NeighborStarts
   NeighborCosts Adjacent{};
   NeighborCosts InRadius{};
   std::size_t StoredBytes = 0; ///< Of NodeStartDepths, which has Own of the adjacent search.
-  double StoredSeconds = 0.0;  ///< What making them took.
+  Spread StoredTime;           ///< What making them takes.
   AdjacentOption Rejected;     ///< The option that the paper rejects (#22), from the median.
   AdjacentOption Taken;        ///< The other one, for the same leaves.
 };
