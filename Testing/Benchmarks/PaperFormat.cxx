@@ -20,6 +20,11 @@ std::string Format(double number)
   return Format(number, size < 9.995 ? 2 : size < 99.95 ? 1 : 0);
 }
 
+std::string FormatSmall(double number)
+{
+  return std::abs(number) < 0.9995 ? Format(number, 3) : Format(number);
+}
+
 std::string FormatPercent(double share)
 {
   return Format(100.0 * share, 0) + "%";
@@ -27,9 +32,7 @@ std::string FormatPercent(double share)
 
 std::string FormatTime(const Spread& time, double unit)
 {
-  const double median = unit * time.Median;
-  return (median < 0.9995 ? Format(median, 3) : Format(median)) + " ~" +
-    FormatPercent(GetWidth(time));
+  return FormatSmall(unit * time.Median) + " ~" + FormatPercent(GetWidth(time));
 }
 
 std::string FormatPrinted(double number)

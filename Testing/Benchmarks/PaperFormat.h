@@ -13,6 +13,8 @@ namespace paper_benchmark
 std::string Format(double number, int decimals);
 /** Three digits or more. */
 std::string Format(double number);
+/** Three digits or more, and three decimals below 1: for numbers that can be small. */
+std::string FormatSmall(double number);
 /** "12%", of a share. */
 std::string FormatPercent(double share);
 /** "0.123 ~12%": a median, times `unit`, and its spread. */

@@ -108,13 +108,8 @@ void MeasureNeighborStarts(const Octree<3>& tree, const std::vector<Key>& leaves
   starts.Adjacent = GetCosts(adjacent, results.StartDepth);
   starts.InRadius = GetCosts(inRadius, results.StartDepth);
   hashedoctree::NodeStartDepths<3> stored;
-  const auto makeStored = [&]
-  {
-    stored = {};
-    return GetSeconds(
-      [&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });
-  };
-  starts.StoredTime = TimeInTurns({ makeStored }, 1, repetitions).front();
+  starts.StoredSeconds =
+    GetSeconds([&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });
   starts.StoredBytes = stored.GetBytes();
   for (std::size_t i = 0; i < scanned.size(); ++i)
   {

@@ -91,7 +91,7 @@ struct NeighborStarts
   NeighborCosts Adjacent{};
   NeighborCosts InRadius{};
   std::size_t StoredBytes = 0; ///< Of NodeStartDepths, which has Own of the adjacent search.
-  Spread StoredTime;           ///< What making them takes.
+  double StoredSeconds = 0.0;  ///< What making them took, once.
   AdjacentOption Rejected;     ///< The option that the paper rejects (#22), from the median.
   AdjacentOption Taken;        ///< The other one, for the same leaves.
 };

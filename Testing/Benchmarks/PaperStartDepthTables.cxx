@@ -62,7 +62,8 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
        "direct searches and which the paper takes for these as well (#42); from the one depth "
        "that is best for all these leaves, found by trying all; and from the depth that is best "
        "for each leaf (#41), which for adjacent searches NodeStartDepths keeps, in one byte for "
-       "each node. Climbing is from parent to parent alone, from below all leaves, which the "
+       "each node; these are made, and timed, once. Climbing is from parent to parent alone, from "
+       "below all leaves, which the "
        "paper expects to take more than from the median (#25). The radius is that of Table 2.\n\n";
   WriteHead(out,
     { "set", "start depth", "adjacent: root", "median", "climbing", "best depth for all",
@@ -81,7 +82,7 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
     }
     row.push_back(Format(std::ldexp(static_cast<double>(set.Neighbors.StoredBytes), -20)));
     row.push_back(Format(std::ldexp(static_cast<double>(set.Bytes[OursBuilt]), -20)));
-    row.push_back(FormatTime(set.Neighbors.StoredTime, 1e3));
+    row.push_back(Format(1e3 * set.Neighbors.StoredSeconds));
     WriteRow(out, row);
   }
 }

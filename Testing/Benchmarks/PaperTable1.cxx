@@ -53,7 +53,8 @@ std::vector<std::string> NameStructures(const std::string& first)
 
 void WriteTrees(std::ostream& out, const Sets& sets)
 {
-  out << "\n### Trees\n\nIn parentheses the paper's numbers, here and in the other tables.\n\n";
+  out << "\n### Trees\n\nIn parentheses the paper's numbers, here and in the other tables; where "
+         "they are means, over the same sets.\n\n";
   WriteHead(out,
     { "set", "stands for the paper's", "points x1000", "nodes x1000", "leaves x1000",
       "deepest depth", "start depth" });
@@ -163,7 +164,7 @@ void WriteOptimisation(std::ostream& out, const Sets& sets)
     { "set", "paper's layout (the paper's)", "% of its build (the paper's)", "ours",
       "% of its build" });
   const auto getPercent = [](const Spread& optimise, const Spread& build)
-  { return Format(100.0 * optimise.Median / build.Median, 3); };
+  { return FormatSmall(100.0 * optimise.Median / build.Median); };
   for (const PaperResults& set : sets)
   {
     const PaperNumbers& paper = set.Set.Paper;

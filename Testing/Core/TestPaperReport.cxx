@@ -73,7 +73,7 @@ TEST(TestPaperReport, Table2HasGainsBothWays)
   EXPECT_EQ(report.GetCell(kind, "second", "brother/child"), "32.0 ~10% (35.93)");
   EXPECT_EQ(report.GetCell(kind, "second", "paper, root"), "8.00 ~10% (59.70)");
   EXPECT_EQ(report.GetCell(kind, "second", "ours, median"), "1.00 ~10%");
-  EXPECT_EQ(report.GetCell(kind, "mean", "paper, start depth"), "11.000 (8.16)");
+  EXPECT_EQ(report.GetCell(kind, "mean", "paper, start depth"), "11.0 (8.16)");
   EXPECT_EQ(report.GetCell(kind, "largest spread", "paper, start depth"), "~30%");
   // Of 32 over 2 and 20; in the paper of 23.85 and 35.93 over 7.63 and 8.70.
   EXPECT_EQ(
@@ -101,7 +101,7 @@ TEST(TestPaperReport, Table3HasTheLargestSpread)
 {
   const MarkdownTables report = MakeReport();
   const std::string heading = "Table 3: direct searches by frequency model, us each";
-  EXPECT_EQ(report.GetCell(heading, "all points", "ours: f_points"), "3.000 ~120%");
+  EXPECT_EQ(report.GetCell(heading, "all points", "ours: f_points"), "3.00 ~120%");
   EXPECT_EQ(report.GetCell(heading, "all leaves", "f_leaves"), "0.93");
   const std::string bySet = heading + " 2";
   EXPECT_EQ(report.GetCell(bySet, "first", "start depths"), "6, 7, 8");

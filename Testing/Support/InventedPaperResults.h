@@ -51,7 +51,7 @@ inline paper_benchmark::PaperResults InventPaperResults(const std::string& name)
   set.Neighbors.Adjacent = { 40.0, 21.0, 20.0, 9, 18.0, 19.0 };
   set.Neighbors.InRadius = { 60.0, 32.0, 30.0, 9, 25.0, 26.0 };
   set.Neighbors.StoredBytes = 1U << 20;
-  set.Neighbors.StoredTime = InventTime(0.5);
+  set.Neighbors.StoredSeconds = 0.5;
   set.Neighbors.Rejected = { 500.0, InventTime(50e-6) };
   set.Neighbors.Taken = { 20.0, InventTime(2e-6) };
   set.Keys.Dilation = InventTime(2e-9);
