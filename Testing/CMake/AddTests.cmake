@@ -5,10 +5,19 @@
 # as registered, because CheckRegistered.cmake compares the record with the files under Testing. With
 # the thread sanitizer only the tests that start threads are built: it has nothing to say of others.
 
-# hashedoctree_add_core_test(<name> [<libraries>...]): GoogleTest in Core/<name>.cxx, with no VTK linked.
+# hashedoctree_add_core_test(<name>): GoogleTest in Core/<name>.cxx, with no VTK linked.
 function (hashedoctree_add_core_test name)
   _hashedoctree_record("Core/${name}.cxx")
-  _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core ${ARGN})
+  _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core)
+endfunction ()
+
+# hashedoctree_add_paper_test(<name>): GoogleTest in Core/<name>.cxx, of the paper's experiments. Not
+# with a sanitizer: to compile them takes minutes, and what they measure has tests of its own.
+function (hashedoctree_add_paper_test name)
+  _hashedoctree_record("Core/${name}.cxx")
+  if (NOT HASHEDOCTREE_SANITIZE)
+    _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core PaperExperiments)
+  endif ()
 endfunction ()
 
 # hashedoctree_add_vtk_test(<name>): GoogleTest in Cxx/<name>.cxx.
