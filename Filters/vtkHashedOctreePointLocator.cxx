@@ -454,6 +454,10 @@ bool vtkHashedOctreePointLocator::RunBatch(
   {
     vtkErrorMacro("There is not enough memory for what the batch finds; ask for less at a time.");
   }
+  catch (const std::exception& exception)
+  {
+    vtkErrorMacro(<< exception.what());
+  }
   catch (const Interrupted&)
   {
   }

@@ -342,13 +342,13 @@ void WriteClaimsOfSearches(std::ostream& out, const Sets& sets)
     InRadius, SeveralTimes);
   const Finding none{ "-", "-" };
   WriteClaim(out,
-    "The direct start depth serves adjacent searches (section 4, #42), at most " +
+    "The direct start depth serves adjacent searches (section 4), at most " +
       Format(100.0 * SmallError, 0) + " % off",
     none, FindErrorOfDirectDepth(sets, &NeighborStarts::Adjacent));
   WriteClaim(out, "... and in-radius searches", none,
     FindErrorOfDirectDepth(sets, &NeighborStarts::InRadius));
-  WriteClaim(out, "A start depth for each node is better for adjacent searches (section 4, #41)",
-    none, FindGainOfOwnDepths(sets));
+  WriteClaim(out, "A start depth for each node is better for adjacent searches (section 4)", none,
+    FindGainOfOwnDepths(sets));
 }
 
 void WriteClaimsOfBuilds(std::ostream& out, const Sets& sets)

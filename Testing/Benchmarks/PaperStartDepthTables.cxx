@@ -59,12 +59,12 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
        "neighbours of a leaf examines in our layout, counted for "
     << MaxScannedLeaves
     << " leaves drawn from all: from the root; from the median of all leaves, which is best for "
-       "direct searches and which the paper takes for these as well (#42); from the one depth "
+       "direct searches and which the paper takes for these as well; from the one depth "
        "that is best for all these leaves, found by trying all; and from the depth that is best "
-       "for each leaf (#41), which for adjacent searches NodeStartDepths keeps, in one byte for "
+       "for each leaf, which for adjacent searches NodeStartDepths keeps, in one byte for "
        "each node; these are made, and timed, once. Climbing is from parent to parent alone, from "
        "below all leaves, which the "
-       "paper expects to take more than from the median (#25). The radius is that of Table 2.\n\n";
+       "paper expects to take more than from the median. The radius is that of Table 2.\n\n";
   WriteHead(out,
     { "set", "start depth", "adjacent: root", "median", "climbing", "best depth for all",
       "best for each", "in-radius: root", "median", "climbing", "best depth for all",
@@ -89,11 +89,10 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
 
 void WriteRejectedOption(std::ostream& out, const std::vector<PaperResults>& sets)
 {
-  out
-    << "\n## The option of the adjacent search that the paper rejects\n\nFrom the cells of the "
-       "start depth around the leaf along the hierarchy (section 3b, #22), beside the option that "
-       "it takes, both from the median, in our layout: mean of "
-    << MaxRejectedLeaves << " leaves drawn from all.\n\n";
+  out << "\n## The option of the adjacent search that the paper rejects\n\nFrom the cells of the "
+         "start depth around the leaf along the hierarchy (section 3b), beside the option that "
+         "it takes, both from the median, in our layout: mean of "
+      << MaxRejectedLeaves << " leaves drawn from all.\n\n";
   WriteHead(
     out, { "set", "rejected: nodes", "us", "taken: nodes", "us", "nodes, rejected over taken" });
   for (const PaperResults& set : sets)

@@ -98,7 +98,7 @@ TYPED_TEST(TestAdjacentSearch, EqualsBruteForceForAllNodesOfSmallTrees)
 
 TYPED_TEST(TestAdjacentSearch, NothingIsBeyondTheBorderOfTheRoot)
 {
-  // 7, 11, 17 or 26 neighbours in 3D (paper #26).
+  // 7, 11, 17 or 26 neighbours in 3D (README, row 26).
   constexpr int dim = TestFixture::Dim;
   const SampleTree<dim, double> made(MakeFullTree<dim>(2));
   ASSERT_EQ(made.Tree.GetNumberOfLeaves(), std::size_t(1) << (2 * dim));
@@ -122,7 +122,7 @@ TYPED_TEST(TestAdjacentSearch, NothingIsBeyondTheBorderOfTheRoot)
 
 TYPED_TEST(TestAdjacentSearch, TheDeepestLeavesHaveTheirSiblings)
 {
-  // At least 2^Dim - 1 neighbours of the same depth (paper #27).
+  // At least 2^Dim - 1 neighbours of the same depth (README, row 27).
   constexpr int dim = TestFixture::Dim;
   const SampleTree<dim, double> made(
     PointSample<dim, double>{ "clusters", MakeClusteredPoints<dim, double>(100, 521) });
@@ -155,7 +155,8 @@ TYPED_TEST(TestAdjacentSearch, TreesOfOneLeafHaveNoNeighbours)
 
 TYPED_TEST(TestAdjacentSearch, TheRejectedOptionFindsTheSame)
 {
-  // Paper #22. Not from far below the node, where it looks at too many cells.
+  // The option that the paper rejects (section 3b). Not from far below the node, where it looks at
+  // too many cells.
   constexpr int dim = TestFixture::Dim;
   constexpr int deepestStart = 8 / dim;
   for (const auto& sample : MakePointSamples<dim, double>())
@@ -187,8 +188,8 @@ TYPED_TEST(TestAdjacentSearch, TheRejectedOptionFindsTheSame)
 TYPED_TEST(TestAdjacentSearch, ClimbingExaminesNoMoreNodesThanTheMedian)
 {
   constexpr int dim = TestFixture::Dim;
-  // Case 3 from min(startDepth, depth - 1) (paper #25): below all leaves that is the plain walk
-  // from parent to parent. The paper expects more of the median.
+  // Case 3 from min(startDepth, depth - 1) (README, row 25): below all leaves that is the plain
+  // walk from parent to parent. The paper expects more of the median.
   for (const auto& sample : MakePointSamples<dim, double>())
   {
     SCOPED_TRACE(sample.Name);
