@@ -114,7 +114,7 @@ TYPED_TEST(TestMortonOrder, SortsTheSamples)
 TYPED_TEST(TestMortonOrder, SortsManyPointsOnAnyThreads)
 {
   constexpr int dim = TestFixture::Dim;
-  constexpr std::size_t count = 300000; // Beyond what one thread sorts on its own.
+  constexpr std::size_t count = 150000; // Beyond what one thread sorts on its own.
   const PointSample<dim, double> uniform{ "uniform", MakeUniformPoints<dim, double>(count, 51) };
   const PointSample<dim, double> clusters{ "clusters",
     MakeClusteredPoints<dim, double>(count, 52) };
