@@ -3,6 +3,7 @@
 #define AlgorithmOptions_h
 
 #include "Octree.h"
+#include "PropertyModels.h"
 
 #include "vtkHashedOctreeAlgorithm.h"
 
@@ -12,20 +13,7 @@ namespace hashedoctree
 {
 // The properties of an algorithm as the core has them. Private to the module.
 
-template <typename A, typename B>
-constexpr bool AreSame(A a, B b)
-{
-  return static_cast<int>(a) == static_cast<int>(b);
-}
-static_assert(AreSame(vtkHashedOctreeAlgorithm::Leaves, FrequencyModel::Leaves) &&
-    AreSame(vtkHashedOctreeAlgorithm::Points, FrequencyModel::Points) &&
-    AreSame(vtkHashedOctreeAlgorithm::Grid, FrequencyModel::Grid),
-  "frequency models are cast");
-static_assert(AreSame(vtkHashedOctreeAlgorithm::Median, StartDepthModel::Median) &&
-    AreSame(vtkHashedOctreeAlgorithm::Mean, StartDepthModel::Mean) &&
-    AreSame(vtkHashedOctreeAlgorithm::Root, StartDepthModel::Root) &&
-    AreSame(vtkHashedOctreeAlgorithm::Fixed, StartDepthModel::Fixed),
-  "start-depth models are cast");
+static_assert(HasModelsOfCore<vtkHashedOctreeAlgorithm>(), "models are cast");
 static_assert(MortonKey<2>::MaxDepth == 31 && MortonKey<3>::MaxDepth == 21,
   "properties of vtkHashedOctreeAlgorithm are clamped to these");
 

@@ -3,11 +3,13 @@
 
 #include "AlgorithmExecution.h"
 #include "DirectSearch.h"
+#include "FoundOfThread.h"
 #include "LeafNumbers.h"
 #include "NodeList.h"
 #include "OctreeCells.h"
 #include "PointBatch.h"
 #include "PointsAdaptor.h"
+#include "PropertyModels.h"
 #include "ThreadTeam.h"
 
 #include "vtkDataSet.h"
@@ -37,64 +39,12 @@ namespace
 {
 constexpr int MaxDepthOfKeys = MortonKey<3>::MaxDepth;
 
-using Class = vtkHashedOctreePointLocator;
-static_assert(Class::Leaves == static_cast<int>(FrequencyModel::Leaves) &&
-    Class::Points == static_cast<int>(FrequencyModel::Points) &&
-    Class::Grid == static_cast<int>(FrequencyModel::Grid),
-  "frequency models are cast");
-static_assert(Class::Median == static_cast<int>(StartDepthModel::Median) &&
-    Class::Mean == static_cast<int>(StartDepthModel::Mean) &&
-    Class::Root == static_cast<int>(StartDepthModel::Root) &&
-    Class::Fixed == static_cast<int>(StartDepthModel::Fixed) &&
-    Class::Local == static_cast<int>(StartDepthModel::Local),
-  "start-depth models are cast");
+static_assert(HasModelsOfCore<vtkHashedOctreePointLocator>() &&
+    AreSame(vtkHashedOctreePointLocator::Local, StartDepthModel::Local),
+  "models are cast");
 
 constexpr std::size_t PointsPerThread = 32768; // Fewer take less time than a thread takes to come.
 constexpr double AdaptorShare = 0.05; // Of the progress of a batch, while positions are read.
-
-/** The calling thread's own memory for what one query finds, so that most queries allocate none. */
-template <typename T>
-class Found
-{
-public:
-  Found() { this->Values.clear(); }
-  ~Found()
-  {
-    if (this->Values.capacity() > MostToKeep)
-    {
-      std::vector<T>().swap(this->Values);
-    }
-  }
-  Found(const Found&) = delete;
-  void operator=(const Found&) = delete;
-
-  std::vector<T>& Get() { return this->Values; }
-
-  /** Replaces the ids of a list by those of the values. */
-  template <typename ToId>
-  void CopyTo(vtkIdList* list, const ToId& toId) const
-  {
-    if (this->Values.empty())
-    {
-      list->Reset(); // Which is inlined.
-      return;
-    }
-    list->SetNumberOfIds(static_cast<vtkIdType>(this->Values.size()));
-    std::transform(this->Values.begin(), this->Values.end(), list->GetPointer(0),
-      [&toId](const T& value) { return static_cast<vtkIdType>(toId(value)); });
-  }
-
-private:
-  static constexpr std::size_t MostToKeep = 65536;
-
-  // Where it is inlined, compilers look for the thread's memory at every use.
-  [[gnu::noinline]] static std::vector<T>& GetOfThread()
-  {
-    thread_local std::vector<T> values;
-    return values;
-  }
-  std::vector<T>& Values = GetOfThread();
-};
 
 Box<3> ToBox(const double bounds[6])
 {
@@ -270,18 +220,23 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
   auto index = std::make_unique<Index>();
   if (this->DataSet != nullptr && this->DataSet->GetNumberOfPoints() > 0)
   {
+    const auto fail = [this, &index](const char* problem)
+    {
+      *index = Index();
+      index->IsFailed = true;
+      vtkErrorMacro(<< problem);
+    };
     try
     {
       this->Fill(*index);
     }
+    catch (const std::bad_alloc&)
+    {
+      fail("There is not enough memory for the index of the points; take fewer of them.");
+    }
     catch (const std::exception& exception)
     {
-      *index = Index();
-      index->IsFailed = true;
-      const bool isMemory = dynamic_cast<const std::bad_alloc*>(&exception) != nullptr;
-      vtkErrorMacro(<< (isMemory ? "There is not enough memory for the index of "
-                                   "the points; take fewer of them."
-                                 : exception.what()));
+      fail(exception.what());
     }
   }
   index->Watch(this->DataSet);
@@ -384,7 +339,7 @@ vtkIdType vtkHashedOctreePointLocator::FindClosestPointWithinRadius(
 void vtkHashedOctreePointLocator::FindClosestNPoints(
   int count, const double x[3], vtkIdList* result)
 {
-  Found<FoundPoint> found;
+  FoundOfThread<FoundPoint> found;
   this->GetIndex().Search(
     [&](const auto& search)
     {
@@ -397,7 +352,7 @@ void vtkHashedOctreePointLocator::FindClosestNPoints(
 void vtkHashedOctreePointLocator::FindPointsWithinRadius(
   double radius, const double x[3], vtkIdList* result)
 {
-  Found<PointIndex> found;
+  FoundOfThread<PointIndex> found;
   this->GetIndex().Search(
     [&](const auto& search) {
       search.FindWithin({ x[0], x[1], x[2] }, radius, found.Get());
@@ -407,7 +362,7 @@ void vtkHashedOctreePointLocator::FindPointsWithinRadius(
 
 void vtkHashedOctreePointLocator::FindPointsWithinBox(const double bounds[6], vtkIdList* result)
 {
-  Found<PointIndex> found;
+  FoundOfThread<PointIndex> found;
   this->GetIndex().Search(
     [&](const auto& search) { search.FindWithin(ToBox(bounds), found.Get()); });
   found.CopyTo(result, [](PointIndex id) { return id; });

@@ -83,17 +83,11 @@ private:
     this->Last = key;
   }
 
-  /** How a search goes on from a node, by what the table tells of its parent. */
-  SearchCase Examine(MortonKey<Dim> node) const
+  /** How a search goes on from the node of a key. */
+  SearchCase Examine(MortonKey<Dim> key) const
   {
-    if (node == MortonKey<Dim>::Root())
-    {
-      return this->Tree.IsRootInternal() ? SearchCase::Down : SearchCase::Hit;
-    }
-    const auto* parent = this->Tree.GetTable().Find(node.GetParent().GetValue());
-    return parent == nullptr                             ? SearchCase::Up
-      : (parent->Internal >> node.GetOctant() & 1U) != 0 ? SearchCase::Down
-                                                         : SearchCase::Hit;
+    const auto node = this->Tree.FindNode(key);
+    return !node ? SearchCase::Up : node->Internal ? SearchCase::Down : SearchCase::Hit;
   }
 
   const Octree<Dim>& Tree;

@@ -2,6 +2,7 @@
 #include "PaperMinimisers.h"
 
 #include "ContinuousCost.h"
+#include "OddHistogram.h"
 
 #include <cmath>
 #include <random>
@@ -10,29 +11,13 @@ namespace paper_benchmark
 {
 using hashedoctree::DepthHistogram;
 
-namespace
-{
-DepthHistogram MakeHistogram(std::mt19937& random)
-{
-  DepthHistogram histogram(1 + random() % 22);
-  std::uint64_t total = 0;
-  for (std::uint64_t& weight : histogram)
-  {
-    weight = 1 + random() % (1U << (random() % 20));
-    total += weight;
-  }
-  histogram.back() += 1 - total % 2;
-  return histogram;
-}
-}
-
 MinimiserComparison CompareMinimisers(std::size_t histograms)
 {
   std::mt19937 random(2008);
   MinimiserComparison comparison;
   for (; comparison.Histograms < histograms; ++comparison.Histograms)
   {
-    const DepthHistogram histogram = MakeHistogram(random);
+    const DepthHistogram histogram = MakeOddHistogram(random);
     const int discrete = hashedoctree::GetCheapestStartDepth(histogram);
     const int median = hashedoctree::GetMedianDepth(histogram);
     const double continuous = hashedoctree::ContinuousCost(histogram).GetMinimiser();

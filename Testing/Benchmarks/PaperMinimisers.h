@@ -11,13 +11,12 @@ namespace paper_benchmark
 struct MinimiserComparison
 {
   std::size_t Histograms = 0;
-  std::size_t Agreeing =
-    0; ///< Discrete minimum = weighted median = integer part of the continuous.
+  /** Where the discrete minimum is the weighted median and the integer part of the continuous. */
+  std::size_t Agreeing = 0;
   std::size_t WronglyRounded = 0; ///< The continuous minimiser, rounded, is not the discrete one.
 };
 
-/** Of 1 to 22 depths, all with weight, which is odd in all, so that no depth can halve it. The same
- * histograms each time. */
+/** Of the histograms of MakeOddHistogram(), the same ones each time. */
 MinimiserComparison CompareMinimisers(std::size_t histograms);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ContinuousCost.h"
 
+#include "OddHistogram.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,20 +12,6 @@ using namespace hashedoctree;
 
 namespace
 {
-/** Weight at every depth, an odd number in all, so that no depth splits it into halves. */
-DepthHistogram MakeHistogram(std::mt19937& random)
-{
-  DepthHistogram histogram(1 + random() % 22);
-  std::uint64_t total = 0;
-  for (std::uint64_t& weight : histogram)
-  {
-    weight = 1 + random() % (1U << (random() % 20));
-    total += weight;
-  }
-  histogram.back() += 1 - total % 2;
-  return histogram;
-}
-
 /** Share of the weight at a depth. */
 double GetShare(const DepthHistogram& histogram, std::size_t depth)
 {
@@ -58,7 +46,7 @@ TEST(TestContinuousCost, IsTheIntegralOfThePaper)
   std::mt19937 random(91);
   for (int trial = 0; trial < 20; ++trial)
   {
-    const DepthHistogram histogram = MakeHistogram(random);
+    const DepthHistogram histogram = MakeOddHistogram(random);
     const ContinuousCost cost(histogram);
     for (double x = -1.0; x < 24.0; x += 0.37)
     {
@@ -73,7 +61,7 @@ TEST(TestContinuousCost, ExceedsTheDiscreteCostByThreeSixteenths)
   std::mt19937 random(92);
   for (int trial = 0; trial < 200; ++trial)
   {
-    const DepthHistogram histogram = MakeHistogram(random);
+    const DepthHistogram histogram = MakeOddHistogram(random);
     const ContinuousCost cost(histogram);
     for (std::size_t depth = 0; depth < histogram.size(); ++depth)
     {
@@ -87,7 +75,7 @@ TEST(TestContinuousCost, ExceedsTheDiscreteCostByThreeSixteenths)
 TEST(TestContinuousCost, DerivativeIsTheDistributionTwiceLessOne)
 {
   std::mt19937 random(93);
-  const DepthHistogram histogram = MakeHistogram(random);
+  const DepthHistogram histogram = MakeOddHistogram(random);
   const ContinuousCost cost(histogram);
   constexpr double step = 1e-5;
   for (double x = 0.05; x < static_cast<double>(histogram.size()); x += 0.1)
@@ -106,7 +94,7 @@ TEST(TestContinuousCost, FloorOfTheMinimiserIsTheMedian)
   int wronglyRounded = 0;
   for (int trial = 0; trial < 2000; ++trial)
   {
-    const DepthHistogram histogram = MakeHistogram(random);
+    const DepthHistogram histogram = MakeOddHistogram(random);
     const ContinuousCost cost(histogram);
     const double minimiser = cost.GetMinimiser();
     ASSERT_NEAR(cost.GetDistribution(minimiser), 0.5, 1e-9);

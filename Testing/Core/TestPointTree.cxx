@@ -220,6 +220,12 @@ TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
   tree.SetStartDepths({ StartDepthModel::Fixed, FrequencyModel::Leaves, 17 });
   EXPECT_EQ(starts.GetOfTree(), 17);
   EXPECT_EQ(tree.GetStartDepths().GetOfTree(), 17);
+  // Those of all nested trees together would outgrow the points.
+  const std::size_t bytes = tree.GetBytes();
+  tree.SetStartDepths({ StartDepthModel::Local, FrequencyModel::Leaves, 0 });
+  EXPECT_EQ(starts.GetBytes(), 0U);
+  EXPECT_GT(starts.GetOfTree(), 1);
+  EXPECT_EQ(tree.GetBytes(), bytes + 4096);
 }
 
 TEST(TestPointTreeFacts, CanBeInterrupted)

@@ -108,16 +108,10 @@ TEST(TestHashedOctreeFilterExecution, ProgressMovesThroughTheWholeRun)
     filter->SetOutputType(outputType);
     filter.Progress.clear();
     filter.Update();
-    EXPECT_TRUE(std::is_sorted(filter.Progress.begin(), filter.Progress.end()));
-    EXPECT_EQ(filter.Progress.front(), 0.0);
-    EXPECT_EQ(filter.Progress.back(), 1.0);
+    filter.ExpectProgressInSteps(0.2);
     filter.Progress.erase(
       std::unique(filter.Progress.begin(), filter.Progress.end()), filter.Progress.end());
     EXPECT_GT(filter.Progress.size(), 25U);
-    for (std::size_t i = 1; i < filter.Progress.size(); ++i)
-    {
-      EXPECT_LE(filter.Progress[i] - filter.Progress[i - 1], 0.2) << filter.Progress[i];
-    }
   }
 }
 

@@ -13,6 +13,8 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <memory>
+#include <new>
 
 namespace
 {
@@ -98,6 +100,27 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
   }
   EXPECT_GT(failures, 10U);
   EXPECT_GE(locator->FindClosestPoint(x), 0);
+}
+
+TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearchesFindTheSame)
+{
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(20000, 263)));
+  locator->SetMaxPointsPerLeaf(1);
+  const double x[3] = { 0.5, 0.5, 0.5 };
+  const vtkIdType closest = locator->FindClosestPoint(x);
+  {
+    // What the build has freed is taken, too, in pieces that leave room for the message.
+    std::vector<std::unique_ptr<char[]>> taken(100000);
+    const MemoryLimit limit(0);
+    for (std::unique_ptr<char[]>& piece : taken)
+    {
+      piece.reset(new (std::nothrow) char[65536]);
+    }
+    ASSERT_FALSE(taken.back());
+    locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
+  }
+  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for local start depths"));
+  EXPECT_EQ(locator->FindClosestPoint(x), closest);
 }
 
 TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatFindsTooMuchIsEmpty)

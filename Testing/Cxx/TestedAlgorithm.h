@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,18 @@ public:
     this->Filter->Update();
     EXPECT_EQ(this->Errors, std::vector<std::string>());
     EXPECT_EQ(this->PipelineErrors, std::vector<std::string>());
+  }
+  /** Its progress must have gone from 0 to 1, and no step of it further than `most`. */
+  void ExpectProgressInSteps(double most) const
+  {
+    ASSERT_FALSE(this->Progress.empty());
+    EXPECT_TRUE(std::is_sorted(this->Progress.begin(), this->Progress.end()));
+    EXPECT_EQ(this->Progress.front(), 0.0);
+    EXPECT_EQ(this->Progress.back(), 1.0);
+    for (std::size_t i = 1; i < this->Progress.size(); ++i)
+    {
+      EXPECT_LE(this->Progress[i] - this->Progress[i - 1], most) << this->Progress[i];
+    }
   }
   /** Runs it, and expects one error that says `words`, and no warning. */
   void UpdateExpectingError(const std::string& words)
