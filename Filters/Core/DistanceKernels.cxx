@@ -3,6 +3,7 @@
 
 #include "Lanes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -15,24 +16,34 @@ namespace hashedoctree
 {
 namespace
 {
-/** One number for each octant. */
-template <int Dim>
-using OfOctants = Lanes<float, MortonKey<Dim>::NumberOfOctants>;
+/** Numbers for some octants that follow each other: all, or as many as fill a vector. */
+template <int Dim, typename T>
+using OfOctants = Lanes<T, std::min<std::size_t>(MortonKey<Dim>::NumberOfOctants, 32 / sizeof(T))>;
 
-/** `lower` and `upper` are those of the boxes, as floats. */
-template <int Dim>
-HASHEDOCTREE_INLINE void ComputeToBoxes(const OfOctants<Dim>* lower, const OfOctants<Dim>* upper,
-  const double* steps, OfOctants<Dim>& dist2)
+/** More than rounding adds up to on one axis: of a float at the farthest place. */
+HASHEDOCTREE_INLINE float GetSlack(float)
 {
-  constexpr float slack = 0.01F; // More than rounding adds up to at the farthest place.
-  const OfOctants<Dim> zero = {};
+  return 0.01F;
+}
+HASHEDOCTREE_INLINE double GetSlack(double t)
+{
+  return 1e-3 + 4e-15 * std::abs(t);
+}
+
+/** Squared distances to boxes from `lower` to `upper`. */
+template <int Dim, typename T>
+HASHEDOCTREE_INLINE void ComputeToBoxes(const OfOctants<Dim, T>* lower,
+  const OfOctants<Dim, T>* upper, const double* steps, OfOctants<Dim, T>& dist2)
+{
+  const OfOctants<Dim, T> zero = {};
   dist2 = zero;
   for (int axis = 0; axis < Dim; ++axis)
   {
-    const auto t = static_cast<float>(steps[axis]);
-    const OfOctants<Dim> toLower = lower[axis] - (t + slack);
-    const OfOctants<Dim> toUpper = (t - (slack + 1.0F)) - upper[axis];
-    OfOctants<Dim> distance = toLower > toUpper ? toLower : toUpper;
+    const auto t = static_cast<T>(steps[axis]);
+    const T slack = GetSlack(t);
+    const OfOctants<Dim, T> toLower = lower[axis] - (t + slack);
+    const OfOctants<Dim, T> toUpper = (t - (slack + T(1))) - upper[axis];
+    OfOctants<Dim, T> distance = toLower > toUpper ? toLower : toUpper;
     distance = distance > zero ? distance : zero;
     dist2 += distance * distance;
   }
@@ -77,26 +88,30 @@ struct Plain
     }
     return selected;
   }
-  static unsigned ToBoxes(
-    const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2)
+  template <typename T>
+  static unsigned ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
   {
-    OfOctants<Dim> lower[Dim];
-    OfOctants<Dim> upper[Dim];
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
-      {
-        lower[axis][octant] = boxes.Lower[axis][octant];
-        upper[axis][octant] = boxes.Upper[axis][octant];
-      }
-    }
-    OfOctants<Dim> all;
-    ComputeToBoxes<Dim>(lower, upper, steps, all);
+    constexpr std::size_t width = sizeof(OfOctants<Dim, T>) / sizeof(T);
     unsigned mask = 0;
-    for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
+    for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
     {
-      dist2[octant] = all[octant];
-      mask |= (all[octant] > limit ? 0U : 1U) << octant;
+      OfOctants<Dim, T> lower[Dim];
+      OfOctants<Dim, T> upper[Dim];
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        for (std::size_t i = 0; i < width; ++i)
+        {
+          lower[axis][i] = boxes.Lower[axis][first + i];
+          upper[axis][i] = boxes.Upper[axis][first + i];
+        }
+      }
+      OfOctants<Dim, T> some;
+      ComputeToBoxes<Dim, T>(lower, upper, steps, some);
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        dist2[first + i] = some[i];
+        mask |= (some[i] > limit ? 0U : 1U) << (first + i);
+      }
     }
     return mask;
   }
@@ -170,31 +185,55 @@ private:
   }
 };
 
-/** In three dimensions, where the octants fill a vector. */
+/** In three dimensions, where the octants fill vectors. */
 struct Avx2Boxes
 {
   HASHEDOCTREE_WITH_AVX2 static unsigned ToBoxes(
     const ChildBoxes<3>& boxes, const double* steps, float limit, float* dist2)
   {
-    OfOctants<3> lower[3];
-    OfOctants<3> upper[3];
+    OfOctants<3, float> lower[3];
+    OfOctants<3, float> upper[3];
     for (int axis = 0; axis < 3; ++axis)
     {
       lower[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Lower[axis])));
       upper[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Upper[axis])));
     }
-    OfOctants<3> all;
-    ComputeToBoxes<3>(lower, upper, steps, all);
+    OfOctants<3, float> all;
+    ComputeToBoxes<3, float>(lower, upper, steps, all);
     _mm256_storeu_ps(dist2, all);
     const __m256 isWithin = _mm256_cmp_ps(all, _mm256_set1_ps(limit), _CMP_NGT_UQ);
     return static_cast<unsigned>(_mm256_movemask_ps(isWithin));
+  }
+  HASHEDOCTREE_WITH_AVX2 static unsigned ToBoxesFromAfar(
+    const ChildBoxes<3>& boxes, const double* steps, double limit, double* dist2)
+  {
+    unsigned mask = 0;
+    for (unsigned first = 0; first < MortonKey<3>::NumberOfOctants; first += 4)
+    {
+      OfOctants<3, double> lower[3];
+      OfOctants<3, double> upper[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        lower[axis] =
+          _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Lower[axis] + first)));
+        upper[axis] =
+          _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Upper[axis] + first)));
+      }
+      OfOctants<3, double> four;
+      ComputeToBoxes<3, double>(lower, upper, steps, four);
+      _mm256_storeu_pd(dist2 + first, four);
+      const __m256d isWithin = _mm256_cmp_pd(four, _mm256_set1_pd(limit), _CMP_NGT_UQ);
+      mask |= static_cast<unsigned>(_mm256_movemask_pd(isWithin)) << first;
+    }
+    return mask;
   }
 };
 #endif
 
 template <int Dim, typename Real>
 constexpr DistanceKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints,
-  Plain<Dim, Real>::Select, Plain<Dim, Real>::ToBoxes };
+  Plain<Dim, Real>::Select, Plain<Dim, Real>::template ToBoxes<float>,
+  Plain<Dim, Real>::template ToBoxes<double> };
 
 template <int Dim, typename Real>
 DistanceKernels<Dim, Real> ChooseKernels()
@@ -208,6 +247,7 @@ DistanceKernels<Dim, Real> ChooseKernels()
     if constexpr (Dim == 3)
     {
       kernels.ToBoxes = Avx2Boxes::ToBoxes;
+      kernels.ToBoxesFromAfar = Avx2Boxes::ToBoxesFromAfar;
     }
     return kernels;
   }

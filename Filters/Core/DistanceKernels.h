@@ -44,14 +44,20 @@ struct DistanceKernels
    * limit: bit i for the one to point i. */
   std::uint64_t (*Select)(const double* dist2, std::size_t count, double limit);
 
+  ///@{
   /** Squared distances from a place to the boxes of all children, both in steps of the block: never
-   * more than the true ones, but for a factor of (1 + BoxError). The place is at most FarthestPlace
-   * steps from the corner of the block on each axis. Returns the mask of the distances that are not
-   * greater than `limit`, which is all of them where the limit is no number. */
+   * more than the true ones, but for a factor of (1 + BoxError). In float the place is at most
+   * FarthestPlace steps from the corner of the block on each axis; in double it is anywhere.
+   * Returns the mask of the distances that are not greater than `limit`, which is all of them where
+   * the limit is no number. */
   unsigned (*ToBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2);
+  unsigned (*ToBoxesFromAfar)(
+    const ChildBoxes<Dim>& boxes, const double* steps, double limit, double* dist2);
+  ///@}
 
   static constexpr double FarthestPlace = 128.0 * ChildBoxes<Dim>::Steps;
-  static constexpr double BoxError = 4e-6;
+  template <typename T>
+  static constexpr double BoxError = sizeof(T) == sizeof(float) ? 4e-6 : 4e-15;
 };
 
 /** The fastest kernels that the machine can run. */

@@ -70,18 +70,12 @@ public:
   }
   bool IsExact() const { return BallInGrid<Dim>::IsExact(this->PerLength2); }
 
-  /** More than rounding does to a place, or a square. */
-  static constexpr double FarError = 4e-15;
-  /** More than the rest of the rounding of a distance in steps, near and relative to the place. */
-  static constexpr double Slack = 1e-3;
-  static constexpr double FarthestError = 1e-9;
-
   /** How much further than a reach a measured distance may be, as a factor, if the true one is
    * within. */
   template <typename T>
-  static constexpr double Room = 1.0 +
-    3.0 * (sizeof(T) == sizeof(float) ? DistanceKernels<Dim, Real>::BoxError : FarError);
+  static constexpr double Room = 1.0 + 3.0 * DistanceKernels<Dim, Real>::template BoxError<T>;
 
+  ///@{
   /** Squared distances to the boxes of all children; returns the mask of those within the squared
    * reach. In float only from near. */
   unsigned Measure(const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes,
@@ -90,27 +84,12 @@ public:
     return kernels.ToBoxes(
       boxes, this->Steps.data(), static_cast<float>(reach2 * Room<float>), dist2);
   }
-  unsigned Measure(const DistanceKernels<Dim, Real>&, const ChildBoxes<Dim>& boxes, double reach2,
-    double* dist2) const
+  unsigned Measure(const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes,
+    double reach2, double* dist2) const
   {
-    const double limit = reach2 * Room<double>;
-    unsigned mask = 0;
-    for (unsigned octant = 0; octant < MortonKey<Dim>::NumberOfOctants; ++octant)
-    {
-      dist2[octant] = 0.0;
-      for (int axis = 0; axis < Dim; ++axis)
-      {
-        const double t = this->Steps[axis];
-        const double slack = Slack + FarError * std::abs(t);
-        const double below = boxes.Lower[axis][octant] - t - slack;
-        const double above = t - slack - (boxes.Upper[axis][octant] + 1.0);
-        const double distance = std::max(0.0, std::max(below, above));
-        dist2[octant] += distance * distance;
-      }
-      mask |= (dist2[octant] > limit ? 0U : 1U) << octant;
-    }
-    return mask;
+    return kernels.ToBoxesFromAfar(boxes, this->Steps.data(), reach2 * Room<double>, dist2);
   }
+  ///@}
 
   /** Squared distance to the farthest corner of a child's box, rounded up. */
   double GetFarthest2(const ChildBoxes<Dim>& boxes, unsigned octant) const
@@ -121,7 +100,7 @@ public:
       const double t = this->Steps[axis];
       const double toLower = t - boxes.Lower[axis][octant];
       const double toUpper = boxes.Upper[axis][octant] + 1.0 - t;
-      const double distance = std::max(toLower, toUpper) + Slack + FarthestError * std::abs(t);
+      const double distance = std::max(toLower, toUpper) + Slack + FarError * std::abs(t);
       sum += distance * distance;
     }
     return sum;
@@ -129,6 +108,11 @@ public:
 
 private:
   PlaceInBlock() = default;
+
+  /** More than rounding does to the distance of a farthest corner, near and relative to the place.
+   */
+  static constexpr double Slack = 1e-3;
+  static constexpr double FarError = 1e-9;
 
   static constexpr double NumberOfSteps = ChildBoxes<Dim>::Steps;
   static constexpr double Far = 64.0 * NumberOfSteps;

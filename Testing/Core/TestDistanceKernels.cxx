@@ -41,6 +41,85 @@ protected:
     }
   }
 
+  static unsigned Measure(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
+    const double* steps, float limit, float* dist2)
+  {
+    return kernels.ToBoxes(boxes, steps, limit, dist2);
+  }
+  static unsigned Measure(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
+    const double* steps, double limit, double* dist2)
+  {
+    return kernels.ToBoxesFromAfar(boxes, steps, limit, dist2);
+  }
+
+  /** Measures from places at most `reach` steps from the middle of a block. */
+  template <typename T>
+  static void ExpectBoxDistances(double reach)
+  {
+    std::mt19937 random(132);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (int trial = 0; trial < 200; ++trial)
+    {
+      const ChildBoxes<Dim> boxes = MakeBoxes(random);
+      double steps[Dim];
+      for (double& step : steps)
+      {
+        step = 128.0 + reach * uniform(random);
+      }
+      const T limit = static_cast<T>(reach * reach);
+      ForAllKernels<float>(
+        [&](const DistanceKernels<Dim, float>& kernels)
+        {
+          T dist2[Octants];
+          const unsigned mask = Measure(kernels, boxes, steps, limit, dist2);
+          for (unsigned octant = 0; octant < Octants; ++octant)
+          {
+            ASSERT_EQ((mask >> octant & 1U) != 0, dist2[octant] <= limit);
+            ExpectJustBelow(static_cast<double>(dist2[octant]), GetDist2(boxes, octant, steps),
+              DistanceKernels<Dim, float>::template BoxError<T>);
+          }
+        });
+    }
+  }
+
+  static double GetDist2(const ChildBoxes<Dim>& boxes, unsigned octant, const double* steps)
+  {
+    double sum = 0.0;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      // A box ends where its last step does.
+      const double below = boxes.Lower[axis][octant] - steps[axis];
+      const double above = steps[axis] - (boxes.Upper[axis][octant] + 1.0);
+      const double distance = std::max({ 0.0, below, above });
+      sum += distance * distance;
+    }
+    return sum;
+  }
+
+  /** Never farther than it is, nor so much nearer that searching would go astray. */
+  static void ExpectJustBelow(double dist2, double expected, double error)
+  {
+    ASSERT_LE(dist2, expected * (1.0 + error));
+    ASSERT_GE(dist2, expected * (1.0 - 10.0 * error) - 0.06 * std::sqrt(expected) - 0.01);
+  }
+
+  template <typename T>
+  static void ExpectAllWhereTheLimitIsNoNumber()
+  {
+    std::mt19937 random(133);
+    const ChildBoxes<Dim> boxes = MakeBoxes(random);
+    double steps[Dim];
+    std::fill(std::begin(steps), std::end(steps), -1e4);
+    ForAllKernels<float>(
+      [&](const DistanceKernels<Dim, float>& kernels)
+      {
+        T dist2[Octants];
+        constexpr unsigned all = (1U << Octants) - 1U;
+        EXPECT_EQ(Measure(kernels, boxes, steps, T(1e4), dist2), 0U);
+        EXPECT_EQ(Measure(kernels, boxes, steps, std::numeric_limits<T>::quiet_NaN(), dist2), all);
+      });
+  }
+
   template <typename Real>
   static void ExpectDistances(const DistanceKernels<Dim, Real>& kernels)
   {
@@ -107,62 +186,21 @@ TYPED_TEST(TestDistanceKernels, SelectedAreThoseWithinTheLimit)
 
 TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
 {
-  constexpr int dim = TestFixture::Dim;
-  std::mt19937 random(132);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  for (const double reach :
-    { 1.0, 300.0, 1e4, DistanceKernels<dim, double>::FarthestPlace - 128.0 })
+  constexpr double farthest = DistanceKernels<TestFixture::Dim, float>::FarthestPlace - 128.0;
+  for (const double reach : { 1.0, 300.0, 1e4, farthest })
   {
-    for (int trial = 0; trial < 200; ++trial)
-    {
-      const ChildBoxes<dim> boxes = TestFixture::MakeBoxes(random);
-      double steps[dim];
-      for (double& step : steps)
-      {
-        step = 128.0 + reach * uniform(random);
-      }
-      const auto limit = static_cast<float>(reach * reach);
-      TestFixture::template ForAllKernels<double>(
-        [&](const DistanceKernels<dim, double>& kernels)
-        {
-          float dist2[TestFixture::Octants];
-          const unsigned mask = kernels.ToBoxes(boxes, steps, limit, dist2);
-          for (unsigned octant = 0; octant < TestFixture::Octants; ++octant)
-          {
-            ASSERT_EQ((mask >> octant & 1U) != 0, dist2[octant] <= limit);
-            double expected = 0.0;
-            for (int axis = 0; axis < dim; ++axis)
-            {
-              // A box ends where its last step does.
-              const double below = boxes.Lower[axis][octant] - steps[axis];
-              const double above = steps[axis] - (boxes.Upper[axis][octant] + 1.0);
-              const double distance = std::max({ 0.0, below, above });
-              expected += distance * distance;
-            }
-            constexpr double error = DistanceKernels<dim, double>::BoxError;
-            ASSERT_LE(static_cast<double>(dist2[octant]), expected * (1.0 + error));
-            // Nor so much nearer that searching would go astray.
-            ASSERT_GE(
-              static_cast<double>(dist2[octant]), expected - 0.06 * std::sqrt(expected) - 0.01);
-          }
-        });
-    }
+    SCOPED_TRACE(reach);
+    TestFixture::template ExpectBoxDistances<float>(reach);
+  }
+  for (const double reach : { 1.0, 300.0, farthest, 1e9, 1e15, 1e30 })
+  {
+    SCOPED_TRACE(reach);
+    TestFixture::template ExpectBoxDistances<double>(reach);
   }
 }
 
 TYPED_TEST(TestDistanceKernels, NothingIsLeftOutWhereTheLimitIsNoNumber)
 {
-  constexpr int dim = TestFixture::Dim;
-  std::mt19937 random(133);
-  const ChildBoxes<dim> boxes = TestFixture::MakeBoxes(random);
-  double steps[dim];
-  std::fill(std::begin(steps), std::end(steps), -1e4);
-  TestFixture::template ForAllKernels<float>(
-    [&](const DistanceKernels<dim, float>& kernels)
-    {
-      float dist2[TestFixture::Octants];
-      constexpr unsigned all = (1U << TestFixture::Octants) - 1U;
-      EXPECT_EQ(kernels.ToBoxes(boxes, steps, 1e4F, dist2), 0U);
-      EXPECT_EQ(kernels.ToBoxes(boxes, steps, NAN, dist2), all);
-    });
+  TestFixture::template ExpectAllWhereTheLimitIsNoNumber<float>();
+  TestFixture::template ExpectAllWhereTheLimitIsNoNumber<double>();
 }
