@@ -21,6 +21,7 @@ class ClosestFew
 public:
   static constexpr bool HasFixedBall = false;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesPromises = false;
   static constexpr std::size_t MostWanted = RankedPoints::MostPoints;
   static constexpr std::size_t MostInRegisters = 8;
 

@@ -16,9 +16,13 @@ namespace hashedoctree
 {
 namespace
 {
-/** Numbers for some octants that follow each other: all, or as many as fill a vector. */
+/** How many octants are done at a time: all, or as many as fill a vector. */
 template <int Dim, typename T>
-using OfOctants = Lanes<T, std::min<std::size_t>(MortonKey<Dim>::NumberOfOctants, 32 / sizeof(T))>;
+constexpr std::size_t SomeOctants = std::min<std::size_t>(
+  MortonKey<Dim>::NumberOfOctants, 32 / sizeof(T));
+/** A number for each of them. */
+template <int Dim, typename T>
+using OfOctants = Lanes<T, SomeOctants<Dim, T>>;
 
 /** More than rounding adds up to on one axis: of a float at the farthest place. */
 HASHEDOCTREE_INLINE float GetSlack(float)
@@ -45,6 +49,23 @@ HASHEDOCTREE_INLINE void ComputeToBoxes(const OfOctants<Dim, T>* lower,
     const OfOctants<Dim, T> toUpper = (t - (slack + T(1))) - upper[axis];
     OfOctants<Dim, T> distance = toLower > toUpper ? toLower : toUpper;
     distance = distance > zero ? distance : zero;
+    dist2 += distance * distance;
+  }
+}
+
+/** Squared distances to the farthest corners of boxes from `lower` to `upper`. */
+template <int Dim>
+HASHEDOCTREE_INLINE void ComputeToFarthest(const OfOctants<Dim, float>* lower,
+  const OfOctants<Dim, float>* upper, const double* steps, OfOctants<Dim, float>& dist2)
+{
+  dist2 = OfOctants<Dim, float>{};
+  for (int axis = 0; axis < Dim; ++axis)
+  {
+    const auto t = static_cast<float>(steps[axis]);
+    const float slack = GetSlack(t);
+    const OfOctants<Dim, float> fromLower = (t + slack) - lower[axis];
+    const OfOctants<Dim, float> fromUpper = upper[axis] - (t - (slack + 1.0F));
+    const OfOctants<Dim, float> distance = fromLower > fromUpper ? fromLower : fromUpper;
     dist2 += distance * distance;
   }
 }
@@ -91,20 +112,13 @@ struct Plain
   template <typename T>
   static unsigned ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
   {
-    constexpr std::size_t width = sizeof(OfOctants<Dim, T>) / sizeof(T);
+    constexpr std::size_t width = SomeOctants<Dim, T>;
     unsigned mask = 0;
     for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
     {
       OfOctants<Dim, T> lower[Dim];
       OfOctants<Dim, T> upper[Dim];
-      for (int axis = 0; axis < Dim; ++axis)
-      {
-        for (std::size_t i = 0; i < width; ++i)
-        {
-          lower[axis][i] = boxes.Lower[axis][first + i];
-          upper[axis][i] = boxes.Upper[axis][first + i];
-        }
-      }
+      Convert<T>(boxes, first, lower, upper);
       OfOctants<Dim, T> some;
       ComputeToBoxes<Dim, T>(lower, upper, steps, some);
       for (std::size_t i = 0; i < width; ++i)
@@ -114,6 +128,42 @@ struct Plain
       }
     }
     return mask;
+  }
+  static float ToFarthestCorner(const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants)
+  {
+    constexpr std::size_t width = SomeOctants<Dim, float>;
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
+    {
+      OfOctants<Dim, float> lower[Dim];
+      OfOctants<Dim, float> upper[Dim];
+      Convert<float>(boxes, first, lower, upper);
+      OfOctants<Dim, float> some;
+      ComputeToFarthest<Dim>(lower, upper, steps, some);
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        const bool counts = (octants >> (first + i) & 1U) != 0;
+        least = counts && some[i] < least ? some[i] : least;
+      }
+    }
+    return least;
+  }
+
+private:
+  /** The boxes of the octants from `first` on. */
+  template <typename T>
+  static void Convert(const ChildBoxes<Dim>& boxes, std::size_t first, OfOctants<Dim, T>* lower,
+    OfOctants<Dim, T>* upper)
+  {
+    constexpr std::size_t width = SomeOctants<Dim, T>;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        lower[axis][i] = boxes.Lower[axis][first + i];
+        upper[axis][i] = boxes.Upper[axis][first + i];
+      }
+    }
   }
 };
 
@@ -193,11 +243,7 @@ struct Avx2Boxes
   {
     OfOctants<3, float> lower[3];
     OfOctants<3, float> upper[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      lower[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Lower[axis])));
-      upper[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Upper[axis])));
-    }
+    Convert(boxes, lower, upper);
     OfOctants<3, float> all;
     ComputeToBoxes<3, float>(lower, upper, steps, all);
     _mm256_storeu_ps(dist2, all);
@@ -227,13 +273,40 @@ struct Avx2Boxes
     }
     return mask;
   }
+  HASHEDOCTREE_WITH_AVX2 static float ToFarthestCorner(
+    const ChildBoxes<3>& boxes, const double* steps, unsigned octants)
+  {
+    OfOctants<3, float> lower[3];
+    OfOctants<3, float> upper[3];
+    Convert(boxes, lower, upper);
+    OfOctants<3, float> all;
+    ComputeToFarthest<3>(lower, upper, steps, all);
+    const __m256i bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+    const __m256i chosen = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(octants)), bits);
+    all = _mm256_blendv_ps(_mm256_set1_ps(std::numeric_limits<float>::infinity()), all,
+      _mm256_castsi256_ps(_mm256_cmpeq_epi32(chosen, bits)));
+    const __m128 four = _mm_min_ps(_mm256_castps256_ps128(all), _mm256_extractf128_ps(all, 1));
+    const __m128 two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+    return _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)));
+  }
+
+private:
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static void Convert(
+    const ChildBoxes<3>& boxes, OfOctants<3, float>* lower, OfOctants<3, float>* upper)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Lower[axis])));
+      upper[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Upper[axis])));
+    }
+  }
 };
 #endif
 
 template <int Dim, typename Real>
 constexpr DistanceKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints,
   Plain<Dim, Real>::Select, Plain<Dim, Real>::template ToBoxes<float>,
-  Plain<Dim, Real>::template ToBoxes<double> };
+  Plain<Dim, Real>::template ToBoxes<double>, Plain<Dim, Real>::ToFarthestCorner };
 
 template <int Dim, typename Real>
 DistanceKernels<Dim, Real> ChooseKernels()
@@ -248,6 +321,7 @@ DistanceKernels<Dim, Real> ChooseKernels()
     {
       kernels.ToBoxes = Avx2Boxes::ToBoxes;
       kernels.ToBoxesFromAfar = Avx2Boxes::ToBoxesFromAfar;
+      kernels.ToFarthestCorner = Avx2Boxes::ToFarthestCorner;
     }
     return kernels;
   }

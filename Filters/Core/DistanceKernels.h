@@ -55,6 +55,12 @@ struct DistanceKernels
     const ChildBoxes<Dim>& boxes, const double* steps, double limit, double* dist2);
   ///@}
 
+  /** The least squared distance from a place to the farthest corner of a box, of the boxes of some
+   * children: no box has its points further away. Infinite where there are none. The place is as
+   * near as ToBoxes() asks for; never less than the true one, but for a factor of (1 + BoxError).
+   */
+  float (*ToFarthestCorner)(const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants);
+
   static constexpr double FarthestPlace = 128.0 * ChildBoxes<Dim>::Steps;
   template <typename T>
   static constexpr double BoxError = sizeof(T) == sizeof(float) ? 4e-6 : 4e-15;

@@ -91,6 +91,19 @@ public:
   }
   ///@}
 
+  /** A squared distance in world units within which one of some children surely has its points.
+   * Only from near. */
+  double GetPromise2(
+    const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes, unsigned octants) const
+  {
+    if (!this->IsExact())
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    const float dist2 = kernels.ToFarthestCorner(boxes, this->Steps.data(), octants);
+    return static_cast<double>(dist2) * Room<float> / this->PerLength2;
+  }
+
   /** Squared distance to the farthest corner of a child's box, rounded up. */
   double GetFarthest2(const ChildBoxes<Dim>& boxes, unsigned octant) const
   {

@@ -16,7 +16,10 @@ namespace hashedoctree
 // - HasFixedBall: whether the bound never changes; if it does, it also has
 // - GetMostAtOnePlace(): of points at one place, taken by id, how many of the first are of use;
 // - TakesWholeNodes: whether it also has
-// - AddAll(ids, count): takes points that are known to be within. Only with a fixed ball.
+// - AddAll(ids, count): takes points that are known to be within. Only with a fixed ball;
+// - TakesPromises: whether it also has
+// - HasFound(): whether it has any point, and
+// - Promise(dist2): a point that it will be handed is no further than this.
 // Private to PointSearch.cxx.
 
 /** The closest point so far. */
@@ -25,6 +28,7 @@ class ClosestOne
 public:
   static constexpr bool HasFixedBall = false;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesPromises = true;
 
   /** `select` is DistanceKernels::Select. */
   ClosestOne(double radius2, std::uint64_t (*select)(const double*, std::size_t, double))
@@ -53,6 +57,7 @@ public:
       }
     }
   }
+  void Promise(double dist2) { this->Dist2 = std::min(this->Dist2, dist2); }
   bool HasFound() const { return this->Id != nullptr; }
   FoundPoint GetBest() const { return { this->Dist2, *this->Id }; }
 
@@ -68,6 +73,7 @@ class ClosestMany
 public:
   static constexpr bool HasFixedBall = false;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesPromises = false;
 
   ClosestMany(std::size_t wanted, std::vector<FoundPoint>& found)
     : Wanted(wanted)
@@ -119,6 +125,7 @@ class AllMeasured
 public:
   static constexpr bool HasFixedBall = true;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesPromises = false;
 
   AllMeasured(double radius2, std::vector<FoundPoint>& found)
     : Radius2(radius2)
@@ -148,6 +155,7 @@ class AllWithin
 public:
   static constexpr bool HasFixedBall = true;
   static constexpr bool TakesWholeNodes = true;
+  static constexpr bool TakesPromises = false;
 
   AllWithin(double radius2, std::vector<PointIndex>& found)
     : Radius2(radius2)

@@ -21,7 +21,8 @@ void SearchPoints(const PointTree<Dim, Real>& tree, const Position<Dim>& x, Coll
  * PointSearch.cxx.
  *
  * The boxes of all children of a block are measured at once. Blocks with nothing but one internal
- * child are passed over.
+ * child are passed over. While no closest point is found yet, boxes promise one: no further away
+ * than the nearest of their farthest corners.
  */
 template <int Dim, typename Real, typename Collector, typename Count>
 class PointDescent
@@ -147,6 +148,14 @@ private:
     if constexpr (Collector::TakesWholeNodes)
     {
       left = this->TakeWholeNodes(number, place, left);
+    }
+    if constexpr (Collector::TakesPromises && std::is_same_v<T, float>)
+    {
+      if (!this->Points.HasFound())
+      {
+        this->Points.Promise(
+          place.GetPromise2(this->Tree.GetKernels(), this->Tree.GetChildBoxes(number), left));
+      }
     }
     while (left != 0)
     {

@@ -103,6 +103,19 @@ protected:
     ASSERT_GE(dist2, expected * (1.0 - 10.0 * error) - 0.06 * std::sqrt(expected) - 0.01);
   }
 
+  static double GetFarthest2(const ChildBoxes<Dim>& boxes, unsigned octant, const double* steps)
+  {
+    double sum = 0.0;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const double fromLower = steps[axis] - boxes.Lower[axis][octant];
+      const double fromUpper = boxes.Upper[axis][octant] + 1.0 - steps[axis];
+      const double distance = std::max(fromLower, fromUpper);
+      sum += distance * distance;
+    }
+    return sum;
+  }
+
   template <typename T>
   static void ExpectAllWhereTheLimitIsNoNumber()
   {
@@ -196,6 +209,39 @@ TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
   {
     SCOPED_TRACE(reach);
     TestFixture::template ExpectBoxDistances<double>(reach);
+  }
+}
+
+TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
+{
+  constexpr int dim = TestFixture::Dim;
+  constexpr double farthest = DistanceKernels<dim, float>::FarthestPlace - 128.0;
+  std::mt19937 random(134);
+  for (const double reach : { 1.0, 300.0, 1e4, farthest })
+  {
+    std::uniform_real_distribution<double> uniform(128.0 - reach, 128.0 + reach);
+    for (int trial = 0; trial < 200; ++trial)
+    {
+      const ChildBoxes<dim> boxes = TestFixture::MakeBoxes(random);
+      const unsigned octants = random() % (1U << TestFixture::Octants);
+      double steps[dim];
+      std::generate_n(steps, dim, [&] { return uniform(random); });
+      double expected = INFINITY;
+      for (unsigned octant = 0; octant < TestFixture::Octants; ++octant)
+      {
+        const bool counts = (octants >> octant & 1U) != 0;
+        expected =
+          counts ? std::min(expected, TestFixture::GetFarthest2(boxes, octant, steps)) : expected;
+      }
+      TestFixture::template ForAllKernels<float>(
+        [&](const DistanceKernels<dim, float>& kernels)
+        {
+          constexpr double error = DistanceKernels<dim, float>::template BoxError<float>;
+          const double dist2 = kernels.ToFarthestCorner(boxes, steps, octants);
+          ASSERT_GE(dist2 * (1.0 + error), expected);
+          ASSERT_LE(dist2, expected * (1.0 + error) + 0.06 * std::sqrt(expected) + 0.01);
+        });
+    }
   }
 }
 

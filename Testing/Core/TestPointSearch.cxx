@@ -5,6 +5,9 @@
 #include "Dimensions.h"
 #include "PointSamples.h"
 
+#include <algorithm>
+#include <random>
+
 using namespace hashedoctree;
 
 template <typename Dimension>
@@ -223,6 +226,33 @@ TEST(TestPointSearchFacts, NoPositionIsSlowBesideADenseSpot)
       }
     }
   }
+}
+
+TEST(TestPointSearchFacts, BoxesTellHowNearAPointIs)
+{
+  // Most points in one corner, and fewer and fewer away from it: on the way down, the nearest box
+  // is the one around the corner, again and again, although single points beside it are nearer.
+  std::mt19937 random(161);
+  std::lognormal_distribution<float> coordinate(0.0F, 3.0F);
+  PointSample<3, float> sample{ "corner", std::vector<float>(60000) };
+  std::generate(
+    sample.Coordinates.begin(), sample.Coordinates.end(), [&] { return coordinate(random); });
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, float> tree(sample.GetSpan(), selection, { 16, 21 }, Execution());
+  const PointSearch<3, float> search(tree);
+  const Box<3>& box = selection.GetBox();
+  double nodes = 0.0;
+  constexpr int queries = 1000;
+  for (int query = 0; query < queries; ++query)
+  {
+    Position<3> x;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      x[axis] = std::uniform_real_distribution<double>(box.Lower[axis], box.Upper[axis])(random);
+    }
+    nodes += static_cast<double>(search.CountNodesForClosest(x));
+  }
+  EXPECT_LT(nodes / queries, 4.0);
 }
 
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
