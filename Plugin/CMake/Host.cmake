@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Finds what HASHEDOCTREE_HOST asks for, and sets HASHEDOCTREE_HAVE_VTK, HASHEDOCTREE_HAVE_PARAVIEW,

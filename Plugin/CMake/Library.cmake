@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The VTK module HashedOctree::Filters, its Python package, and find_package(HashedOctree).

@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # hashedoctree_own_code(<target>): compile a target of ours with our warnings and sanitizers.

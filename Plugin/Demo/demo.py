@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Shows the octree of a file's points: its leaves, its depth histogram and what searches in it cost.
 

@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # One line registers one test. A test whose host is not there (no VTK, no plugin) is still recorded

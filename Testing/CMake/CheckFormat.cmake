@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Fails when a C++ file is not as .clang-format says. To mend it: clang-format -i <file>

@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Installs the project, moves the result, and uses it as others do: from CMake, Python and ParaView.

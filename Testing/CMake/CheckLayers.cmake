@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Fails when Filters/Core or its tests include VTK, Qt or ParaView, or when Plugin holds C++.

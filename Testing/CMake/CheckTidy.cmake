@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Fails when clang-tidy finds something in a C++ file of ours (never in code that VTK generates).

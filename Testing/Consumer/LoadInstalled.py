@@ -1,4 +1,3 @@
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Loads an installed plugin and Python package: LoadInstalled.py PLUGIN PREFIX"""
 import sys

@@ -1,4 +1,3 @@
-// SPDX-FileCopyrightText: HashedOctree contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <vtkDataSet.h>
 #include <vtkHashedOctreeFilter.h>

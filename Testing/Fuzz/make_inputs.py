@@ -1,5 +1,4 @@
 #!/usr/bin/env python3
-# SPDX-FileCopyrightText: HashedOctree contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the inputs in Corpus/PointSearch that are made by hand; PointSearchInput.h reads them."""
 from pathlib import Path
