@@ -139,12 +139,12 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
   expectRun();
   filter->IncludeInternalNodesOn();
   expectRun();
-  ExpectOctree(filter, ExpectedOctree(points, 2, 3));
+  ExpectOctree(filter, OracleOctree(points, 2, 3));
   filter->UseCustomBoundsOn();
   expectRun();
   filter->SetCustomBounds(0, 2, 0, 2, 0, 2);
   expectRun();
-  ExpectOctree(filter, ExpectedOctree(points, { 0, 2, 0, 2, 0, 2 }, 2, 3));
+  ExpectOctree(filter, OracleOctree(points, { 0, 2, 0, 2, 0, 2 }, 2, 3));
 }
 
 TEST(TestHashedOctreeFilter, LeavesItsInputAlone)

@@ -93,7 +93,7 @@ TEST(TestHashedOctreeFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarn
     filter.ExpectWarning("25 of 525 points");
     EXPECT_EQ(filter.GetFieldValue("SkippedPoints"), 25);
     EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 0);
-    ExpectOctree(filter, ExpectedOctree(finite));
+    ExpectOctree(filter, OracleOctree(finite));
     ExpectToWorkAgain(filter);
   }
 }
@@ -192,5 +192,5 @@ TEST(TestHashedOctreeFilterBadInput, CoordinatesWithoutAFiniteExtentAreSkipped)
   TestedFilter filter({ -most, 0, 0, most, 0, 0, 1, 2, 3, 4, 5, 6 });
   filter.Update();
   filter.ExpectWarning("2 of 4 points");
-  ExpectOctree(filter, ExpectedOctree({ 1, 2, 3, 4, 5, 6 }));
+  ExpectOctree(filter, OracleOctree({ 1, 2, 3, 4, 5, 6 }));
 }

@@ -132,7 +132,7 @@ TEST(TestHashedOctreeFilterCells, LeavesAddUpToTheRoot)
     filter->SetDimension(vtkHashedOctreeFilter::Three);
     filter->IncludeEmptyLeavesOn();
     filter.Update();
-    const double side = ExpectedOctree(sample.Coordinates).GetRootSide();
+    const double side = OracleOctree(sample.Coordinates).GetRootSide();
     double volume = 0.0; // In roots.
     vtkBoundingBox all;
     for (vtkIdType cell = 0; cell < filter.GetCells()->GetNumberOfCells(); ++cell)

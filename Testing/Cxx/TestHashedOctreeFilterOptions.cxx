@@ -44,7 +44,7 @@ TEST(TestHashedOctreeFilterOptions, CustomBoundsGiveTheRoot)
     filter->UseCustomBoundsOn();
     filter->SetCustomBounds(box.data());
     filter.Update();
-    const ExpectedOctree expected(coordinates, box);
+    const OracleOctree expected(coordinates, box);
     ExpectOctree(filter, expected);
     const auto inside = static_cast<double>(expected.GetNodes().front().Points.size());
     EXPECT_GT(inside, 0);
@@ -64,7 +64,7 @@ TEST(TestHashedOctreeFilterOptions, FacesOfCustomBoundsAreInside)
   filter.Update();
   EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 3);
   EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 4);
-  ExpectOctree(filter, ExpectedOctree(coordinates, { 1, 2, 1, 2, 1, 2 }));
+  ExpectOctree(filter, OracleOctree(coordinates, { 1, 2, 1, 2, 1, 2 }));
 }
 
 TEST(TestHashedOctreeFilterOptions, FlatCustomBoundsHaveARootOfSideOne)
@@ -76,7 +76,7 @@ TEST(TestHashedOctreeFilterOptions, FlatCustomBoundsHaveARootOfSideOne)
   filter->SetMaxDepth(2);
   filter.Update();
   EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 2);
-  ExpectOctree(filter, ExpectedOctree(coordinates, { 3, 3, 3, 3, 3, 3 }, 1, 2));
+  ExpectOctree(filter, OracleOctree(coordinates, { 3, 3, 3, 3, 3, 3 }, 1, 2));
 }
 
 TEST(TestHashedOctreeFilterOptions, CustomBoundsNeedUseCustomBounds)

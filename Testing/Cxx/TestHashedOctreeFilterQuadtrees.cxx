@@ -354,7 +354,7 @@ TEST(TestHashedOctreeFilterQuadtrees, CustomBoundsDecideInPlaceOfThePoints)
   const std::array<double, 6> full{ 0, 2, 0, 1, -3, 4 };
   filter->SetCustomBounds(full.data());
   filter.Update();
-  ExpectOctree(filter, ExpectedOctree(coordinates, full));
+  ExpectOctree(filter, OracleOctree(coordinates, full));
 
   // Flat bounds hold only points in their plane, as in an octree.
   coordinates.insert(coordinates.end(), { 0.5, 0.5, Across + 1e-9, 0.5, 0.25, 7 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Testing_Cxx_ExpectedOctree_h
-#define Testing_Cxx_ExpectedOctree_h
+#ifndef Testing_Cxx_OracleOctree_h
+#define Testing_Cxx_OracleOctree_h
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
  * What the filter must say of a few points: an octree by splitting lists of points again and again,
  * and means by adding up over its leaves. Slow, plain, and it knows nothing of Filters/Core.
  */
-class ExpectedOctree
+class OracleOctree
 {
 public:
   static constexpr int GridDepth = 21;
@@ -32,25 +32,25 @@ public:
   };
 
   /** How often a leaf is searched for. */
-  using Weight = std::int64_t (*)(const ExpectedOctree&, const Node&);
-  static std::int64_t Leaves(const ExpectedOctree&, const Node&) { return 1; }
-  static std::int64_t Points(const ExpectedOctree&, const Node& leaf)
+  using Weight = std::int64_t (*)(const OracleOctree&, const Node&);
+  static std::int64_t Leaves(const OracleOctree&, const Node&) { return 1; }
+  static std::int64_t Points(const OracleOctree&, const Node& leaf)
   {
     return static_cast<std::int64_t>(leaf.Points.size());
   }
-  static std::int64_t Grid(const ExpectedOctree& tree, const Node& leaf)
+  static std::int64_t Grid(const OracleOctree& tree, const Node& leaf)
   {
     return std::int64_t(1) << (3 * (tree.GetDeepestDepth() - leaf.Depth));
   }
 
   /** Of points with finite coordinates, three for each; the root is the cube around them. */
-  ExpectedOctree(
+  OracleOctree(
     const std::vector<double>& coordinates, std::size_t bucket = 1, int maxDepth = GridDepth)
-    : ExpectedOctree(coordinates, GetBounds(coordinates), bucket, maxDepth)
+    : OracleOctree(coordinates, GetBounds(coordinates), bucket, maxDepth)
   {
   }
   /** Of those of the points that lie in given bounds (xmin, xmax, ymin, ...). */
-  ExpectedOctree(const std::vector<double>& coordinates, const std::array<double, 6>& bounds,
+  OracleOctree(const std::vector<double>& coordinates, const std::array<double, 6>& bounds,
     std::size_t bucket = 1, int maxDepth = GridDepth)
     : Bucket(bucket)
     , MaxDepth(maxDepth)
