@@ -3,7 +3,10 @@
 # Fails when clang-tidy finds something in a C++ file of ours (never in code that VTK generates).
 # Nearly all of its time goes to the headers of GoogleTest and VTK, so that the tests are read several
 # at a time, in units that are made here.
-find_program(RUN_CLANG_TIDY NAMES run-clang-tidy-14 run-clang-tidy REQUIRED) # Debian: clang-tidy
+include("${CMAKE_CURRENT_LIST_DIR}/SkipOtherClang.cmake")
+find_program(CLANG_TIDY NAMES clang-tidy-14 clang-tidy REQUIRED) # Debian: clang-tidy
+find_program(RUN_CLANG_TIDY NAMES run-clang-tidy-14 run-clang-tidy REQUIRED)
+skip_other_clang("${CLANG_TIDY}")
 set(TESTS_IN_UNIT 10)
 set(folder "${BINARY_DIR}/Testing/Tidy")
 
