@@ -7,7 +7,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/SkipOtherClang.cmake")
 find_program(CLANG_TIDY NAMES clang-tidy-14 clang-tidy REQUIRED) # Debian: clang-tidy
 find_program(RUN_CLANG_TIDY NAMES run-clang-tidy-14 run-clang-tidy REQUIRED)
 skip_other_clang("${CLANG_TIDY}")
-set(TESTS_IN_UNIT 10)
+set(TESTS_IN_UNIT 16)
 set(folder "${BINARY_DIR}/Testing/Tidy")
 
 # add_command(<compilation> [<from> <to>]): appends one to the compilation database, of another file.
