@@ -15,6 +15,7 @@ namespace
 class TestBenchmarkPaper : public testing::Test
 {
 protected:
+  /** The folder has a random name, so that runs at the same time do not meet. */
   TestBenchmarkPaper()
     : Folder(std::filesystem::temp_directory_path() /
         ("TestBenchmarkPaper." + std::to_string(std::random_device()())))

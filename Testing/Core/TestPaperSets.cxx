@@ -148,6 +148,7 @@ TEST(TestPaperSets, AreThoseOfTheGenerator)
 
 TEST(TestPaperSets, PointsAreReadWholeOrNotAtAll)
 {
+  // A random name, so that runs at the same time do not meet.
   const auto folder = std::filesystem::temp_directory_path() /
     ("TestPaperSets." + std::to_string(std::random_device()()));
   std::filesystem::create_directory(folder);

@@ -118,10 +118,12 @@ private:
   std::map<OracleOctree::Place, vtkIdType> Points;
 };
 
-inline void ExpectVoxels(TestedFilter& filter, const OracleOctree& expected)
+/** Expects a cell of one kind for each node shown, and calls expectCell(node, points, corners). */
+template <typename Function>
+void ExpectCells(TestedFilter& filter, const OracleOctree& expected, int cellType,
+  vtkIdType pointsPerCell, const Function& expectCell)
 {
   const auto shown = GetShownNodes(filter.GetFilter(), expected);
-  ASSERT_EQ(filter.GetCells()->GetDataObjectType(), VTK_UNSTRUCTURED_GRID);
   ASSERT_EQ(filter.GetCells()->GetNumberOfCells(), static_cast<vtkIdType>(shown.size()));
   CornerCensus corners(filter.GetCells(), expected);
   vtkNew<vtkIdList> points;
@@ -129,58 +131,65 @@ inline void ExpectVoxels(TestedFilter& filter, const OracleOctree& expected)
   {
     const auto cell = static_cast<vtkIdType>(i);
     filter.GetCells()->GetCellPoints(cell, points);
-    ASSERT_EQ(filter.GetCells()->GetCellType(cell), VTK_VOXEL);
-    ASSERT_EQ(points->GetNumberOfIds(), 8);
-    for (unsigned corner = 0; corner < 8; ++corner)
-    {
-      ASSERT_NO_FATAL_FAILURE(corners.Add(points->GetId(corner), GetCorner(shown[i], corner)))
-        << "cell " << i;
-    }
+    ASSERT_EQ(filter.GetCells()->GetCellType(cell), cellType);
+    ASSERT_EQ(points->GetNumberOfIds(), pointsPerCell);
+    ASSERT_NO_FATAL_FAILURE(expectCell(shown[i], points.Get(), corners)) << "cell " << i;
   }
   corners.ExpectComplete();
+}
+
+inline void ExpectVoxels(TestedFilter& filter, const OracleOctree& expected)
+{
+  ASSERT_EQ(filter.GetCells()->GetDataObjectType(), VTK_UNSTRUCTURED_GRID);
+  ExpectCells(filter, expected, VTK_VOXEL, 8,
+    [](const OracleOctree::Node& node, vtkIdList* points, CornerCensus& corners)
+    {
+      for (unsigned corner = 0; corner < 8; ++corner)
+      {
+        ASSERT_NO_FATAL_FAILURE(corners.Add(points->GetId(corner), GetCorner(node, corner)));
+      }
+    });
+}
+
+/** Which corner of a node a place is nearest to. */
+inline unsigned GetNearestCorner(
+  const OracleOctree& expected, const OracleOctree::Node& node, const double* x)
+{
+  unsigned corner = 0;
+  for (unsigned axis = 0; axis < 3; ++axis)
+  {
+    const double middle = (expected.GetPosition(GetCorner(node, 0), axis) +
+                            expected.GetPosition(GetCorner(node, 7), axis)) /
+      2;
+    corner |= x[axis] > middle ? 1U << axis : 0U;
+  }
+  return corner;
 }
 
 /** Each outline must walk along the twelve edges of its node, and nowhere else. */
 inline void ExpectOutlines(TestedFilter& filter, const OracleOctree& expected)
 {
-  const auto shown = GetShownNodes(filter.GetFilter(), expected);
   ASSERT_EQ(filter.GetCells()->GetDataObjectType(), VTK_POLY_DATA);
-  ASSERT_EQ(filter.GetCells()->GetNumberOfCells(), static_cast<vtkIdType>(shown.size()));
-  CornerCensus corners(filter.GetCells(), expected);
-  vtkNew<vtkIdList> points;
-  for (std::size_t i = 0; i < shown.size(); ++i)
-  {
-    const auto cell = static_cast<vtkIdType>(i);
-    filter.GetCells()->GetCellPoints(cell, points);
-    ASSERT_EQ(filter.GetCells()->GetCellType(cell), VTK_POLY_LINE);
-    ASSERT_EQ(points->GetNumberOfIds(), 16);
-    std::set<std::pair<unsigned, unsigned>> edges;
-    unsigned last = 0;
-    for (vtkIdType j = 0; j < 16; ++j)
+  ExpectCells(filter, expected, VTK_POLY_LINE, 16,
+    [&](const OracleOctree::Node& node, vtkIdList* points, CornerCensus& corners)
     {
-      // Which corner of the node this is follows from the position; an empty step stays in place.
-      const double* x = filter.GetCells()->GetPoint(points->GetId(j));
-      unsigned corner = 0;
-      for (unsigned axis = 0; axis < 3; ++axis)
+      std::set<std::pair<unsigned, unsigned>> edges;
+      unsigned last = 0;
+      for (vtkIdType j = 0; j < 16; ++j)
       {
-        const double middle = (expected.GetPosition(GetCorner(shown[i], 0), axis) +
-                                expected.GetPosition(GetCorner(shown[i], 7), axis)) /
-          2;
-        corner |= x[axis] > middle ? 1U << axis : 0U;
+        const double* x = filter.GetCells()->GetPoint(points->GetId(j));
+        const unsigned corner = GetNearestCorner(expected, node, x);
+        ASSERT_NO_FATAL_FAILURE(corners.Add(points->GetId(j), GetCorner(node, corner)));
+        if (j > 0)
+        {
+          const unsigned step = last ^ corner; // An empty one would stay in place.
+          ASSERT_TRUE(step == 1 || step == 2 || step == 4) << "not along an edge";
+          edges.emplace(std::min(last, corner), std::max(last, corner));
+        }
+        last = corner;
       }
-      ASSERT_NO_FATAL_FAILURE(corners.Add(points->GetId(j), GetCorner(shown[i], corner)))
-        << "cell " << i;
-      if (j > 0)
-      {
-        const unsigned step = last ^ corner;
-        ASSERT_TRUE(step == 1 || step == 2 || step == 4) << "cell " << i << ": not along an edge";
-        edges.emplace(std::min(last, corner), std::max(last, corner));
-      }
-      last = corner;
-    }
-    ASSERT_EQ(edges.size(), 12U) << "cell " << i;
-  }
-  corners.ExpectComplete();
+      ASSERT_EQ(edges.size(), 12U);
+    });
 }
 
 #endif
