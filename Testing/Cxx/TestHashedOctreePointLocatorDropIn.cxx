@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> MakeSheet(std::size_t count, unsigned seed)
   return sheet;
 }
 
-void ExpectSameArray(vtkDataArray* expected, vtkDataArray* actual, const std::string& name)
+void ExpectNearArray(vtkDataArray* expected, vtkDataArray* actual, const std::string& name)
 {
   ASSERT_TRUE(expected != nullptr && actual != nullptr) << name;
   ASSERT_EQ(expected->GetNumberOfTuples(), actual->GetNumberOfTuples()) << name;
@@ -87,12 +87,12 @@ void ExpectSameArray(vtkDataArray* expected, vtkDataArray* actual, const std::st
   }
 }
 
-void ExpectSameAttributes(vtkDataSetAttributes* expected, vtkDataSetAttributes* actual)
+void ExpectNearAttributes(vtkDataSetAttributes* expected, vtkDataSetAttributes* actual)
 {
   ASSERT_EQ(expected->GetNumberOfArrays(), actual->GetNumberOfArrays());
   for (int i = 0; i < expected->GetNumberOfArrays(); ++i)
   {
-    ExpectSameArray(expected->GetArray(i), actual->GetArray(i), expected->GetArrayName(i));
+    ExpectNearArray(expected->GetArray(i), actual->GetArray(i), expected->GetArrayName(i));
   }
 }
 
@@ -182,8 +182,8 @@ void ExpectSameOutput(const std::function<Output(vtkAbstractPointLocator*)>& run
       ASSERT_NEAR(x[axis], y[axis], 1e-6 * size) << "point " << i;
     }
   }
-  ExpectSameAttributes(expected->GetPointData(), actual->GetPointData());
-  ExpectSameAttributes(expected->GetCellData(), actual->GetCellData());
+  ExpectNearAttributes(expected->GetPointData(), actual->GetPointData());
+  ExpectNearAttributes(expected->GetCellData(), actual->GetCellData());
 }
 
 /** Of filters that take points and a locator. */
