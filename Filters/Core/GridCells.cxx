@@ -61,9 +61,11 @@ void GetCells(const Grid<Dim>& grid, const Real* coordinates, std::size_t count,
   if (HasAvx2())
   {
     ComputeCellsByAvx2<Dim>(grid, coordinates, count, cells);
-    return;
   }
-  ComputeCells<Dim>(grid, coordinates, count, cells);
+  else
+  {
+    ComputeCells<Dim>(grid, coordinates, count, cells);
+  }
 }
 
 template <int Dim, typename Real>

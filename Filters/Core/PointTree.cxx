@@ -168,13 +168,9 @@ void PointTree<Dim, Real>::CopyPointsOf(
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Execution& execution)
 {
-  if (!this->Tree.IsRootInternal())
+  if (!this->Tree.IsRootInternal() && this->GetNumberOfPoints() > 0)
   {
-    if (this->GetNumberOfPoints() > 0)
-    {
-      this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
-    }
-    return;
+    this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
   }
   const std::size_t numberOfBlocks = this->Tree.GetNumberOfInternalNodes();
   this->Boxes = Buffer<ChildBoxes<Dim>>(numberOfBlocks);

@@ -206,6 +206,7 @@ public:
         ++this->Count;
       }
     }
+    // These are compared, too, although their ranks are not used.
     std::fill_n(this->Keys + this->Count, Padding, Key(0));
     for (std::size_t i = 0; i < this->Count; i += Padding)
     {

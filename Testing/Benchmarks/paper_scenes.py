@@ -130,11 +130,16 @@ def set_case_colors():
     function.IndexedColors = [channel for _, color in CASES.values() for channel in to_rgb(color)]
 
 
-def show_plain(source, view, representation, height=0.0):
-    """Shows a source in one dark colour, so high above the place where it is."""
+def moved(source, by):
+    copy = simple.Transform(Input=source)
+    copy.Transform.Translate = [*by]
+    return copy
+
+
+def show_plain(source, view, representation):
+    """Shows a source in one dark colour."""
     shown = simple.Show(source, view)
     shown.SetRepresentationType(representation)
-    shown.Position = [0, 0, height]
     shown.AmbientColor = shown.DiffuseColor = list(to_rgb(DARK))
     shown.Ambient, shown.Diffuse = 1, 0
     return shown
@@ -148,19 +153,18 @@ def plane_scene(query, search):
     for source, height in ((every, 0), (search, 0.01 * width)):
         cut = simple.Slice(Input=source, Triangulatetheslice=0)
         cut.SliceType.Origin, cut.SliceType.Normal = middle, [0, 0, 1]
-        shown = demo.show_cells(cut, view, edges=True, ambient=1)
-        shown.Position = [0, 0, height]
+        shown = demo.show_cells(moved(cut, (0, 0, height)), view, edges=True, ambient=1)
         simple.ColorBy(shown, ("CELLS", "Case") if source is search else None)
         if source is every:
             shown.AmbientColor, shown.EdgeColor = [1, 1, 1], [0.75] * 3
     if search is query.in_radius:
         radius = np.sqrt(query.radius ** 2 - (query.plane - query.center[2]) ** 2)
         circle = simple.Disk(InnerRadius=0.99 * radius, OuterRadius=radius, CircumferentialResolution=180)
-        show_plain(circle, view, "Surface").Position = [*query.center[:2], query.plane + 0.02 * width]
+        show_plain(moved(circle, (*query.center[:2], query.plane + 0.02 * width)), view, "Surface")
     near = query.point_set.points[np.abs(query.point_set.points[:, 2] - query.plane) < query.side / 2]
-    near = np.column_stack((near[:, :2], np.full(len(near), query.plane)))
+    near = np.column_stack((near[:, :2], np.full(len(near), query.plane + 0.03 * width)))
     show_plain(simple.Glyph(Input=to_source(near), GlyphType="Sphere", GlyphMode="All Points", ScaleFactor=width / 70,
-                            ScaleArray=["POINTS", "No scale array"]), view, "Surface", 0.03 * width)
+                            ScaleArray=["POINTS", "No scale array"]), view, "Surface")
     view.CameraParallelProjection, view.CameraParallelScale = 1, width / 2
     view.CameraFocalPoint, view.CameraViewUp = middle, [0, 1, 0]
     view.CameraPosition = [*query.center[:2], query.plane + 10 * width]

@@ -69,7 +69,8 @@ function (hashedoctree_add_python_test name)
     "HASHEDOCTREE_PLUGIN=$<TARGET_FILE:HashedOctree>"
     # MPI as root, as in a container, and on fewer cores than processes.
     "OMPI_ALLOW_RUN_AS_ROOT=1" "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"
-    "OMPI_MCA_rmaps_base_oversubscribe=1")
+    "OMPI_MCA_rmaps_base_oversubscribe=1" # as Open MPI 4 has it, and as 5
+    "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe")
   set_tests_properties("${name}" PROPERTIES
     LABELS python ENVIRONMENT "${environment}" TIMEOUT 300)
   if (arg_SERVER OR arg_RANKS)

@@ -343,7 +343,8 @@ TEST(TestHashedOctreePointLocatorBuild, ALoopWithItsPointSetIsCollected)
     vtkNew<vtkHashedOctreePointLocator> own;
     own->SetDataSet(data);
     data->SetPointLocator(own);
-    EXPECT_EQ(data->FindPoint(0.9, 0, 0), 1);
+    double x[3] = { 0.9, 0, 0 };
+    EXPECT_EQ(data->FindPoint(x), 1);
     locator = own.Get();
     cloud = data.Get();
   }

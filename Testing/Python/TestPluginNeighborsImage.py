@@ -25,11 +25,12 @@ colors.Annotations = [text for case, (name, _) in enumerate(CASES) for text in (
 colors.IndexedColors = [part for _, color in CASES for part in color]
 
 
-def show(source, kind, place, height):
-    """Shows a source in one color, so high above the rest as seen from below."""
-    shown = simple.Show(source, view)
+def show(source, kind, place):
+    """Shows a source elsewhere, in its own colors: the lower, the nearer to the eye, which is below."""
+    moved = simple.Transform(Input=source)
+    moved.Transform.Translate = place
+    shown = simple.Show(moved, view)
     shown.SetRepresentationType(kind)
-    shown.Position = [place, 0.0, -height]
     shown.Ambient, shown.Diffuse = 1.0, 0.0
     return shown
 
@@ -39,8 +40,7 @@ disk = simple.Disk(InnerRadius=0.05, OuterRadius=1.0, RadialResolution=7,
                    CircumferentialResolution=24)
 for mode, place in (("Adjacent", 1.1), ("InRadius", -1.1)):
     octree = show(simple.HashedOctree(Input=disk, IncludeEmptyLeaves=1), "Surface With Edges",
-                  place, 0.0)
-    simple.ColorBy(octree, None)
+                  [place, 0.0, 0.0])
     octree.AmbientColor, octree.EdgeColor = WHITE, GREY
 
     source = simple.HashedOctreeNeighbors(Input=disk, IncludeEmptyLeaves=1, SearchMode=mode,
@@ -48,11 +48,12 @@ for mode, place in (("Adjacent", 1.1), ("InRadius", -1.1)):
     neighbors = simple.Show(source, view)
     assert neighbors.Representation == "Surface With Edges", neighbors.Representation
     assert list(neighbors.ColorArrayName) == ["CELLS", "Case"], neighbors.ColorArrayName
-    neighbors = show(source, "Surface With Edges", place, 0.01)
+    simple.Hide(source, view)
+    neighbors = show(source, "Surface With Edges", [place, 0.0, -0.01])
+    simple.ColorBy(neighbors, ("CELLS", "Case"))
     neighbors.EdgeColor = DARK
 
-    # A copy, since a view shows a source once.
-    points = show(simple.Transform(Input=disk), "Points", place, 0.02)
+    points = show(disk, "Points", [place, 0.0, -0.02])
     points.AmbientColor, points.PointSize = DARK, 4.0
 
 # The ball is around the center of the query leaf, not around the position.
@@ -60,8 +61,8 @@ source.UpdatePipeline()
 bounds = octreetesting.fetch(source, 0).GetCell(0).GetBounds()
 center = [(bounds[2 * axis] + bounds[2 * axis + 1]) / 2 for axis in range(3)]
 ball = show(simple.Disk(InnerRadius=0.98 * RADIUS, OuterRadius=RADIUS,
-                        CircumferentialResolution=90), "Surface", 0.0, 0.03)
-ball.Position = [center[0] - 1.1, center[1], -0.03]
+                        CircumferentialResolution=90), "Surface",
+            [center[0] - 1.1, center[1], -0.03])
 ball.AmbientColor = DARK
 
 legend = simple.GetScalarBar(colors, view)

@@ -65,9 +65,10 @@ colors.IndexedColors = list(numpy.where(
     ends[1] + (2 * share - 1) * (ends[2] - ends[1])).ravel())
 
 # A little nearer to the camera than the leaves.
-points = simple.Show(simple.Transform(Input=spiral), view)
+nearer = simple.Transform(Input=spiral)
+nearer.Transform.Translate = [0.0, 0.0, 0.01]
+points = simple.Show(nearer, view)
 points.SetRepresentationType("Points")
-points.Position = [0.0, 0.0, 0.01]
 points.AmbientColor, points.PointSize = [0.85, 0.2, 0.1], 3.0
 points.Ambient, points.Diffuse = 1.0, 0.0
 
