@@ -24,7 +24,10 @@ public:
 
   std::vector<std::string> Check()
   {
-    this->CheckOrder();
+    if (!this->CheckOrder())
+    {
+      return this->Broken;
+    }
     const Node root = this->Tree.GetRoot();
     this->Require(root.FirstPoint == 0 && root.LastPoint == this->Selection.GetNumberOfPoints(),
       "the root's range is all points", root.NodeKey);
@@ -55,7 +58,8 @@ private:
     return this->Tree.GetGrid().GetKey(this->Points[this->Tree.GetPointIds()[place]]);
   }
 
-  void CheckOrder()
+  /** False when ids name no point or one twice: nothing else can be checked then. */
+  bool CheckOrder()
   {
     std::vector<char> seen(this->Points.Count, 0);
     for (std::size_t place = 0; place < this->Tree.GetNumberOfPoints(); ++place)
@@ -65,7 +69,7 @@ private:
       this->Require(valid, "each point stands in the order once", Key::Root());
       if (!valid)
       {
-        return;
+        return false;
       }
       seen[id] = 1;
     }
@@ -74,6 +78,7 @@ private:
       this->Require((seen[id] != 0) == this->Selection.Keeps(this->Points[id]),
         "just the selected points take part", Key::Root());
     }
+    return true;
   }
 
   void Walk(const Node& node, std::uint32_t block)

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace hashedoctree;
 
 /** A sound tree, to be broken in one place. */
@@ -68,6 +70,15 @@ TEST_F(TestInvariants, DoubledId)
   this->ExpectBroken("each point stands in the order once");
 }
 
+TEST_F(TestInvariants, IdOfNoPoint)
+{
+  this->GetIds()[3] = static_cast<PointIndex>(this->Sample.GetSpan().Count);
+  const std::vector<std::string> laws =
+    FindBrokenLaws(this->Tree, this->Sample.GetSpan(), this->Selection);
+  ASSERT_EQ(laws.size(), 1U) << ::testing::PrintToString(laws);
+  EXPECT_EQ(laws[0].find("each point stands in the order once"), 0U) << laws[0];
+}
+
 TEST_F(TestInvariants, SwappedIds)
 {
   std::swap(this->GetIds()[10], this->GetIds()[200]);
@@ -76,14 +87,19 @@ TEST_F(TestInvariants, SwappedIds)
 
 TEST_F(TestInvariants, SwappedIdsOfCoincidentPoints)
 {
-  const PointSample<3, double> pair{ "pair", { 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0 } };
-  const PointSelection<3> selection(pair.GetSpan(), {}, Execution());
-  this->Tree = Octree<3>(pair.GetSpan(), selection, {}, Execution());
-  EXPECT_TRUE(FindBrokenLaws(this->Tree, pair.GetSpan(), selection).empty());
-  std::swap(this->GetIds()[1], this->GetIds()[2]);
-  this->Sample = pair;
+  PointSample<3, double> three{ "three", std::vector<double>(12, 1.0) };
+  std::fill_n(three.Coordinates.begin(), 3, 0.0);
+  const PointSelection<3> selection(three.GetSpan(), {}, Execution());
+  this->Tree = Octree<3>(three.GetSpan(), selection, {}, Execution());
+  EXPECT_TRUE(FindBrokenLaws(this->Tree, three.GetSpan(), selection).empty());
+  this->Sample = three;
   this->Selection = selection;
-  this->ExpectBroken("points of equal keys stand by id");
+  for (const std::size_t place : { 1U, 2U })
+  {
+    std::swap(this->GetIds()[place], this->GetIds()[place + 1]);
+    this->ExpectBroken("points of equal keys stand by id");
+    std::swap(this->GetIds()[place], this->GetIds()[place + 1]);
+  }
 }
 
 TEST_F(TestInvariants, ShiftedRange)

@@ -42,6 +42,7 @@ protected:
   {
     std::vector<std::pair<std::uint64_t, const Point*>> order;
     const std::vector<Point> points(first, last);
+    order.reserve(points.size());
     for (const Point& point : points)
     {
       order.emplace_back(point.GetKey().GetValue(), &point);

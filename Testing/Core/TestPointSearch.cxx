@@ -6,6 +6,7 @@
 #include "PointSamples.h"
 
 #include <algorithm>
+#include <iostream>
 #include <random>
 
 using namespace hashedoctree;
@@ -253,6 +254,32 @@ TEST(TestPointSearchFacts, BoxesTellHowNearAPointIs)
     nodes += static_cast<double>(search.CountNodesForClosest(x));
   }
   EXPECT_LT(nodes / queries, 4.0);
+}
+
+TEST(TestPointSearchFacts, ExaminesFewNodesAmongUniformPoints)
+{
+  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 162) };
+  const auto points = sample.GetSpan();
+  const PointSelection<3> selection(points, {}, Execution());
+  const PointTree<3, float> tree(points, selection, { 64, 21 }, Execution());
+  const PointSearch<3, float> search(tree);
+  const std::vector<double> uniform = MakeUniformPoints<3, double>(1000, 163);
+  double forUniform = 0.0;
+  double forOne = 0.0;
+  double forMany = 0.0;
+  for (std::size_t i = 0; i < 1000; ++i)
+  {
+    const Position<3> between{ uniform[3 * i], uniform[3 * i + 1], uniform[3 * i + 2] };
+    forUniform += static_cast<double>(search.CountNodesForClosest(between)) / 1000;
+    const Position<3> x{ points[i][0] + 1e-4, points[i][1], points[i][2] };
+    forOne += static_cast<double>(search.CountNodesForClosest(x)) / 1000;
+    forMany += static_cast<double>(search.CountNodesForClosest(x, 100)) / 1000;
+  }
+  std::cout << "nodes " << forUniform << ", near a point " << forOne << ", for the 100 closest "
+            << forMany << "\n";
+  EXPECT_LT(forUniform, 3.7); // 3.8 where what has been searched is searched again.
+  EXPECT_LT(forOne, 1.2);     // Most often that is the position's own leaf.
+  EXPECT_LT(forMany, 20.0);
 }
 
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
