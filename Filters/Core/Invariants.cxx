@@ -58,7 +58,7 @@ private:
     return this->Tree.GetGrid().GetKey(this->Points[this->Tree.GetPointIds()[place]]);
   }
 
-  /** False when ids name no point or one twice: nothing else can be checked then. */
+  /** False when an id names no point: nothing else can be checked then. */
   bool CheckOrder()
   {
     std::vector<char> seen(this->Points.Count, 0);
@@ -69,7 +69,7 @@ private:
       this->Require(valid, "each point stands in the order once", Key::Root());
       if (!valid)
       {
-        return false;
+        return id < this->Points.Count;
       }
       seen[id] = 1;
     }

@@ -15,7 +15,7 @@ namespace hashedoctree
  * - the leaves tile the root: their keys cover all cells of MaxDepth once;
  * - the ranges of the children partition their parent's, and the root's is all points;
  * - every point that the selection keeps stands in the order once, in a leaf whose cell holds it,
- *   equal keys by id; no other point does;
+ *   equal keys by id; no other point does (an id of no point ends the check);
  * - a node is internal just when it holds more than MaxPointsPerLeaf points above MaxDepth;
  * - blocks are in breadth-first order and the first child follows from the masks;
  * - the table finds every internal node, with the same masks, and nothing else;

@@ -131,6 +131,7 @@ def set_case_colors():
 
 
 def moved(source, by):
+    """A copy of a source elsewhere. (ParaView 5.13 calls the property for that by another name than 5.11.)"""
     copy = simple.Transform(Input=source)
     copy.Transform.Translate = [*by]
     return copy

@@ -26,7 +26,7 @@ colors.IndexedColors = [part for _, color in CASES for part in color]
 
 
 def show(source, kind, place):
-    """Shows a source elsewhere, in its own colors: the lower, the nearer to the eye, which is below."""
+    """Shows a source moved to a place. What is lower is nearer to the eye, which is below."""
     moved = simple.Transform(Input=source)
     moved.Transform.Translate = place
     shown = simple.Show(moved, view)

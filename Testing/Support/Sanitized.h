@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Testing_Cxx_Sanitized_h
-#define Testing_Cxx_Sanitized_h
+#ifndef Testing_Support_Sanitized_h
+#define Testing_Support_Sanitized_h
 
 /** Whether the tests run under a sanitizer, many times slower: then large ones take fewer points,
  * or are skipped, and times do not count. */
