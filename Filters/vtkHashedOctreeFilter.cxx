@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkHashedOctreeFilter);
 
 namespace
 {
-constexpr int NumberOfPorts = 3;
+constexpr int NumberOfOutputs = 3;
 
 /** Shares of the progress of one tree: where each step ends. The rest is for its cells. */
 constexpr double MeasuringShare = 0.6;
@@ -127,7 +127,7 @@ private:
 
 vtkHashedOctreeFilter::vtkHashedOctreeFilter()
 {
-  this->SetNumberOfOutputPorts(NumberOfPorts);
+  this->SetNumberOfOutputPorts(NumberOfOutputs);
 }
 
 int vtkHashedOctreeFilter::GetTypeOfOutput(int port, vtkInformationVector** vtkNotUsed(inputVector))

@@ -37,7 +37,7 @@ constexpr int NumberOfPorts = 2; // Of inputs, and of outputs.
 
 /** Shares of the progress of one block of queries: where each step ends. The rest is for the point
  * arrays. */
-constexpr double AdaptorShare = 0.07;
+constexpr double QueriesShare = 0.07;
 constexpr double DepthsShare = 0.21;
 
 /** How many queries a histogram of their depths counts. */
@@ -119,13 +119,13 @@ private:
   {
     using Comparison = SearchComparison<Dim>;
     const Octree<Dim>& tree = octree.Tree;
-    const PointsAdaptor points(queries, execution.Part(0.0, AdaptorShare));
+    const PointsAdaptor points(queries, execution.Part(0.0, QueriesShare));
     DepthHistogram depths;
     points.Visit(
       [&](auto span)
       {
         depths = MeasureQueryDepths(
-          tree, Project(span, octree.Frame), execution.Part(AdaptorShare, DepthsShare));
+          tree, Project(span, octree.Frame), execution.Part(QueriesShare, DepthsShare));
       });
     this->FiniteQueries += CountQueries(depths);
 

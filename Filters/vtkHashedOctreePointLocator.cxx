@@ -44,7 +44,7 @@ static_assert(HasModelsOfCore<vtkHashedOctreePointLocator>() &&
   "models are cast");
 
 constexpr std::size_t PointsPerThread = 32768; // Fewer take less time than a thread takes to come.
-constexpr double AdaptorShare = 0.05; // Of the progress of a batch, while positions are read.
+constexpr double PositionsShare = 0.05; // Of the progress of a batch, while positions are read.
 
 Box<3> ToBox(const double bounds[6])
 {
@@ -396,11 +396,11 @@ bool vtkHashedOctreePointLocator::RunBatch(
   const Execution execution = MakeExecution(this, this->BatchIsAborted);
   try
   {
-    const PointsAdaptor positions(queries, execution.Part(0.0, AdaptorShare));
+    const PointsAdaptor positions(queries, execution.Part(0.0, PositionsShare));
     index.Visit(
       [&](const auto& tree)
       {
-        const PointBatch batch(tree, execution.Part(AdaptorShare, 1.0));
+        const PointBatch batch(tree, execution.Part(PositionsShare, 1.0));
         positions.Visit([&](auto span) { function(batch, span); });
       });
     return true;

@@ -11,7 +11,7 @@ namespace
 {
 /** What is known of coordinates, each lane for itself. */
 template <typename Real>
-struct Extent
+struct LaneExtent
 {
   static constexpr std::size_t Width = 16 / sizeof(Real); ///< As every x86-64 has.
   using Vector = Lanes<Real, Width>;
@@ -35,8 +35,8 @@ template <int Dim, typename Real>
 std::optional<Box<Dim>> FindFiniteBox(const Real* coordinates, std::size_t count)
 {
   // Dim vectors hold the coordinates of Width points as they stand: each lane has always one axis.
-  constexpr std::size_t width = Extent<Real>::Width;
-  Extent<Real> extents[Dim];
+  constexpr std::size_t width = LaneExtent<Real>::Width;
+  LaneExtent<Real> extents[Dim];
   std::size_t done = 0;
   for (; done + width <= count; done += width)
   {
@@ -54,7 +54,7 @@ std::optional<Box<Dim>> FindFiniteBox(const Real* coordinates, std::size_t count
   };
   for (std::size_t i = 0; i < Dim * width; ++i)
   {
-    const Extent<Real>& extent = extents[i / width];
+    const LaneExtent<Real>& extent = extents[i / width];
     add(i % Dim, extent.Lower[i % width], extent.Upper[i % width]);
     zero += static_cast<double>(extent.Zero[i % width]);
   }

@@ -19,7 +19,7 @@ constexpr std::size_t InsertionLimit = 32; // Up to here insertion beats countin
 constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a node on its own,
 constexpr std::size_t SerialShare = 16;    // and up to this part of all points.
 constexpr std::size_t ChunkSize = 16384;   // Points that a thread partitions at a time.
-constexpr PointIndex PrefetchDistance = 8; // Points of a digit ahead whose place is on the way.
+constexpr PointIndex PlacesAhead = 8;      // Places of a digit that are on the way.
 
 using DigitCounts = std::array<PointIndex, MostDigits>;
 
@@ -164,7 +164,7 @@ private:
         {
           const PointIndex place = offsets[chunk][digit.Of(from[i])]++;
           to[place] = from[i];
-          __builtin_prefetch(&to[place + PrefetchDistance], 1);
+          __builtin_prefetch(&to[place + PlacesAhead], 1);
         }
       });
     for (std::size_t place = 0; place < digit.GetCount(); ++place)

@@ -13,12 +13,12 @@ namespace
 {
 /** Lower corner and side of a node, in cells of MaxDepth. */
 template <int Dim>
-struct Extent
+struct NodeExtent
 {
   Cell<Dim> Lower;
   std::uint32_t Side;
 
-  explicit Extent(MortonKey<Dim> key)
+  explicit NodeExtent(MortonKey<Dim> key)
     : Lower(key.GetCell())
     , Side(1U << (MortonKey<Dim>::MaxDepth - key.GetDepth()))
   {
@@ -72,7 +72,7 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
     for (std::size_t i = 0; i < size; ++i)
     {
       places[i] = walk.Next();
-      const Extent<Dim> extent(nodes[places[i]].NodeKey);
+      const NodeExtent<Dim> extent(nodes[places[i]].NodeKey);
       for (unsigned corner = 0; corner < CornersOfNode; ++corner)
       {
         codes[i][corner] = EncodeCorner<Dim>(extent.GetCorner(corner));

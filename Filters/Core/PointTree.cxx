@@ -8,8 +8,8 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t Grain = 32;            // Blocks that a thread does at a time.
-constexpr std::size_t PrefetchDistance = 16; // Points ahead that are on the way from the input.
+constexpr std::size_t Grain = 32;       // Blocks that a thread does at a time.
+constexpr std::size_t PointsAhead = 16; // Points that are on the way from the input.
 
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
 template <int Dim>
@@ -119,7 +119,7 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   for (std::size_t i = 0; i < count; ++i)
   {
     const Real* x = points[this->Ids[firstPoint + i]];
-    __builtin_prefetch(points[this->Ids[std::min(firstPoint + i + PrefetchDistance, end)]]);
+    __builtin_prefetch(points[this->Ids[std::min(firstPoint + i + PointsAhead, end)]]);
     for (std::size_t axis = 0; axis < Dim; ++axis)
     {
       leaf[axis * count + i] = x[axis];

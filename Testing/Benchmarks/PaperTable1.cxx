@@ -18,7 +18,7 @@ const std::vector<std::string> StructureNames{ "8 pointers", "br./child", "br./c
   "paper's layout", "mixing hash", "ours" };
 
 /** The column of the paper's Table 1 that a structure has there, or StartDepthColumn. */
-std::size_t GetColumn(std::size_t structure)
+std::size_t GetColumnOfStructure(std::size_t structure)
 {
   return structure == PointersBuilt  ? PointersColumn
     : structure == BrotherChildBuilt ? BrotherChildColumn
@@ -46,7 +46,7 @@ std::vector<std::string> NameStructures(const std::string& first)
   for (std::size_t structure = 0; structure < NumberOfStructures; ++structure)
   {
     head.push_back(StructureNames[structure] +
-      (GetColumn(structure) == StartDepthColumn ? "" : " (the paper's)"));
+      (GetColumnOfStructure(structure) == StartDepthColumn ? "" : " (the paper's)"));
   }
   return head;
 }
@@ -83,7 +83,7 @@ void WriteMemory(std::ostream& out, const Sets& sets)
     for (std::size_t structure = 0; structure < NumberOfStructures; ++structure)
     {
       const std::string ours = Format(getOurs(structure));
-      const std::size_t column = GetColumn(structure);
+      const std::size_t column = GetColumnOfStructure(structure);
       row.push_back(column == StartDepthColumn ? ours : FormatBeside(ours, getPapers(column)));
     }
     WriteRow(out, row);
@@ -124,7 +124,7 @@ void WriteBuilds(std::ostream& out, const Sets& sets)
     for (std::size_t structure = 0; structure < NumberOfStructures; ++structure)
     {
       const std::string ours = FormatTime(set.Builds[structure], 1e3);
-      const std::size_t column = GetColumn(structure);
+      const std::size_t column = GetColumnOfStructure(structure);
       row.push_back(
         column == StartDepthColumn ? ours : FormatBeside(ours, FormatPrinted(paper[column])));
     }
@@ -139,7 +139,7 @@ void WriteBuilds(std::ostream& out, const Sets& sets)
   {
     const std::string ours = Format(GetMeanByOurNodes(
       sets, [=](const PaperResults& set) { return 1e3 * set.Builds[structure].Median; }));
-    const std::size_t column = GetColumn(structure);
+    const std::size_t column = GetColumnOfStructure(structure);
     means.push_back(column == StartDepthColumn
         ? ours
         : FormatBeside(ours,

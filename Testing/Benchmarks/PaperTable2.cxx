@@ -16,7 +16,7 @@ const std::vector<std::string> KindNames{ "Direct search", "Adjacent neighbours"
   "In-radius neighbours" };
 
 /** The column of the paper's Table 2 that a peer has there, or NumberOfColumns. */
-std::size_t GetColumn(std::size_t peer)
+std::size_t GetColumnOfPeer(std::size_t peer)
 {
   return peer == Pointers  ? PointersColumn
     : peer == BrotherChild ? BrotherChildColumn
@@ -42,16 +42,16 @@ void WriteGains(std::ostream& out, const Sets& sets, std::size_t kind, std::size
 {
   std::vector<std::string> ratios{ "mean of ratios to " + GetPeerNames()[base] };
   std::vector<std::string> ratio{ "ratio of means to " + GetPeerNames()[base] };
-  const bool inPaper = GetColumn(base) != NumberOfColumns;
+  const bool inPaper = GetColumnOfPeer(base) != NumberOfColumns;
   for (std::size_t peer = 0; peer < NumberOfPeers; ++peer)
   {
     const Gain gain = GetGain(GetTimes(sets, kind, peer), GetTimes(sets, kind, base));
     ratios.push_back("x " + Format(gain.MeanOfRatios));
     ratio.push_back("x " + Format(gain.RatioOfMeans));
-    if (inPaper && GetColumn(peer) != NumberOfColumns)
+    if (inPaper && GetColumnOfPeer(peer) != NumberOfColumns)
     {
-      const Gain paper = GetGain(
-        GetPaperTimes(sets, kind, GetColumn(peer)), GetPaperTimes(sets, kind, GetColumn(base)));
+      const Gain paper = GetGain(GetPaperTimes(sets, kind, GetColumnOfPeer(peer)),
+        GetPaperTimes(sets, kind, GetColumnOfPeer(base)));
       ratios.back() = FormatBeside(ratios.back(), Format(paper.MeanOfRatios));
       ratio.back() = FormatBeside(ratio.back(), Format(paper.RatioOfMeans));
     }
@@ -71,7 +71,7 @@ void WriteTimes(std::ostream& out, const Sets& sets, std::size_t kind)
     for (std::size_t peer = 0; peer < NumberOfPeers; ++peer)
     {
       const std::string ours = FormatTime(set.Times[kind][peer], 1e6);
-      const std::size_t column = GetColumn(peer);
+      const std::size_t column = GetColumnOfPeer(peer);
       row.push_back(column == NumberOfColumns
           ? ours
           : FormatBeside(ours, Format(set.Set.Paper.Microseconds[kind][column], 2)));
@@ -83,7 +83,7 @@ void WriteTimes(std::ostream& out, const Sets& sets, std::size_t kind)
   for (std::size_t peer = 0; peer < NumberOfPeers; ++peer)
   {
     const std::string ours = FormatSmall(GetMean(GetTimes(sets, kind, peer)));
-    const std::size_t column = GetColumn(peer);
+    const std::size_t column = GetColumnOfPeer(peer);
     means.push_back(column == NumberOfColumns
         ? ours
         : FormatBeside(ours, Format(GetMean(GetPaperTimes(sets, kind, column)), 2)));
