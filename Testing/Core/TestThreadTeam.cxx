@@ -5,10 +5,15 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 using namespace hashedoctree;
 
@@ -83,6 +88,33 @@ TEST(TestThreadTeam, OthersHelpTheLeader)
         });
     });
   EXPECT_EQ(helpers.size(), 2U);
+}
+
+TEST(TestThreadTeam, ALoopEndsWithTheLastOfItsParts)
+{
+  std::atomic<bool> hasBegun{ false };
+  std::atomic<bool> hasEnded{ false };
+  ThreadTeam::Run(Execution(OnThreads(2)), 2,
+    [&](const Execution& execution)
+    {
+      const std::thread::id own = std::this_thread::get_id();
+      execution.For(2, 1,
+        [&](std::size_t, std::size_t)
+        {
+          if (std::this_thread::get_id() == own)
+          {
+            while (!hasBegun)
+            {
+              std::this_thread::yield();
+            }
+            return;
+          }
+          hasBegun = true;
+          std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          hasEnded = true;
+        });
+      EXPECT_TRUE(hasEnded);
+    });
 }
 
 TEST(TestThreadTeam, WhatIsThrownComesBack)
