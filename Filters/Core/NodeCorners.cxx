@@ -39,9 +39,7 @@ struct NodeExtent
   }
 };
 
-constexpr std::size_t BatchSize = 4096; // Nodes between two reports of progress.
-constexpr std::size_t GroupSize = 16;   // Nodes whose corners the machine loads together.
-static_assert(BatchSize % GroupSize == 0, "reports are made between groups");
+constexpr std::size_t GroupSize = 16; // Nodes whose corners the machine loads together.
 }
 
 template <int Dim>
@@ -64,10 +62,6 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
   for (std::size_t walked = 0; walked < numberOfNodes; walked += GroupSize)
   {
     const double done = static_cast<double>(walked) / static_cast<double>(numberOfNodes);
-    if (walked % BatchSize == 0)
-    {
-      execution.Tell(done);
-    }
     const std::size_t size = std::min(GroupSize, numberOfNodes - walked);
     for (std::size_t i = 0; i < size; ++i)
     {

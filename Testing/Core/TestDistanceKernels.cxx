@@ -2,6 +2,7 @@
 #include "DistanceKernels.h"
 
 #include "Dimensions.h"
+#include "Lanes.h"
 #include "PointSamples.h"
 
 using namespace hashedoctree;
@@ -249,4 +250,17 @@ TYPED_TEST(TestDistanceKernels, NothingIsLeftOutWhereTheLimitIsNoNumber)
 {
   TestFixture::template ExpectAllWhereTheLimitIsNoNumber<float>();
   TestFixture::template ExpectAllWhereTheLimitIsNoNumber<double>();
+}
+
+TYPED_TEST(TestDistanceKernels, EachIsTheFastestThatTheMachineHas)
+{
+  constexpr int dim = TestFixture::Dim;
+  const DistanceKernels<dim, float>& plain = GetPlainDistanceKernels<dim, float>();
+  const DistanceKernels<dim, float>& fastest = GetDistanceKernels<dim, float>();
+  EXPECT_EQ(fastest.ToPoints != plain.ToPoints, HasAvx2());
+  EXPECT_EQ(fastest.Select != plain.Select, HasAvx2());
+  // Boxes: in space only.
+  EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, HasAvx2() && dim == 3);
+  EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, HasAvx2() && dim == 3);
+  EXPECT_EQ(fastest.ToFarthestCorner != plain.ToFarthestCorner, HasAvx2() && dim == 3);
 }

@@ -113,3 +113,32 @@ TEST(TestNodeCornersFacts, ReportsProgressWhenFewCornersAreShared)
     EXPECT_THROW(NodeCorners<3>(nodes, connectivity.data(), interrupted), Interrupted) << last;
   }
 }
+
+TEST(TestNodeCornersFacts, ReportsProgressWhenMostCornersAreShared)
+{
+  // One point in the middle of each cell: a complete tree, with hardly more corners than nodes.
+  PointSample<3, double> sample{ "full", {} };
+  constexpr int side = 32;
+  for (int i = 0; i < side * side * side; ++i)
+  {
+    sample.Coordinates.insert(
+      sample.Coordinates.end(), { i % side + 0.5, i / side % side + 0.5, i / side / side + 0.5 });
+  }
+  const SampleTree<3, double> made(sample);
+  const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());
+  std::vector<int> connectivity(8 * nodes.GetSize());
+  std::vector<double> looks;
+  const Execution execution(OnThreads(1),
+    [&looks](double fraction)
+    {
+      looks.push_back(fraction);
+      return true;
+    });
+  const NodeCorners<3> corners(nodes, connectivity.data(), execution);
+  ASSERT_LT(corners.GetNumberOfCorners(), 2 * nodes.GetSize());
+  for (std::size_t i = 1; i < looks.size(); ++i)
+  {
+    ASSERT_LE(looks[i] - looks[i - 1], 0.125) << i;
+  }
+  EXPECT_GE(looks.back(), 0.999);
+}
