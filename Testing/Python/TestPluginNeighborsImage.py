@@ -46,7 +46,7 @@ for mode, place in (("Adjacent", 1.1), ("InRadius", -1.1)):
     source = simple.HashedOctreeNeighbors(Input=disk, IncludeEmptyLeaves=1, SearchMode=mode,
                                           Center=QUERY, Radius=RADIUS)
     neighbors = simple.Show(source, view)
-    assert neighbors.Representation == "Surface With Edges", neighbors.Representation
+    assert neighbors.Representation == "Wireframe", neighbors.Representation
     assert list(neighbors.ColorArrayName) == ["CELLS", "Case"], neighbors.ColorArrayName
     simple.Hide(source, view)
     neighbors = show(source, "Surface With Edges", [place, 0.0, -0.01])
