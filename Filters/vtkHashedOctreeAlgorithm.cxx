@@ -22,13 +22,6 @@ int vtkHashedOctreeAlgorithm::FillInputPortInformation(int vtkNotUsed(port), vtk
   return 1;
 }
 
-int vtkHashedOctreeAlgorithm::FillOutputPortInformation(int vtkNotUsed(port), vtkInformation* info)
-{
-  // All ports depend on whether the input is composite.
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
-  return 1;
-}
-
 int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 
 // What is found is compared with a look at the bounds of every cell of vtkHashedOctreeFilter.
 
@@ -189,6 +190,24 @@ vtkIdType GetStep(const ShownLeaves& leaves)
 {
   return leaves.GetNumberOfLeaves() / 40 + 1;
 }
+}
+
+TEST(TestHashedOctreeNeighborsFilter, PrintsEveryProperty)
+{
+  vtkNew<Filter> filter;
+  filter->SetMaxDepth(12);
+  filter->SetSearchMode(Filter::InRadius);
+  filter->SetCenter(1.5, 2.5, 3.5);
+  filter->UseLeafKeyOn();
+  filter->SetLeafKey(13);
+  filter->SetRadius(0.25);
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* line : { "MaxDepth: 12", "SearchMode: 1", "Center: 1.5, 2.5, 3.5",
+         "UseLeafKey: 1", "LeafKey: 13", "Radius: 0.25" })
+  {
+    EXPECT_NE(text.str().find(line), std::string::npos) << line << " is not in\n" << text.str();
+  }
 }
 
 TEST(TestHashedOctreeNeighborsFilter, AdjacentAreTheLeavesThatTouch)
