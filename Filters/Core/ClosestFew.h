@@ -35,6 +35,7 @@ public:
   static bool HasVectors();
 
   double GetBound2() const { return this->Bound2; }
+  static constexpr bool NeedsIds() { return true; }
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
 
   /** `ids` must stay as they are until CopyTo(); `dist2` is what DistanceKernels::ToPoints() has

@@ -13,6 +13,7 @@ namespace hashedoctree
 // - GetBound2(): the squared radius beyond which points are of no use to it, now;
 // - Add(dist2, least, ids, count): takes points of a leaf, their squared distances and the least of
 //   these;
+// - NeedsIds(): whether it is likely to read ids of the points that it is handed next;
 // - HasFixedBall: whether the bound never changes; if it does, it also has
 // - GetMostAtOnePlace(): of points at one place, taken by id, how many of the first are of use;
 // - TakesWholeNodes: whether it also has
@@ -37,6 +38,8 @@ public:
   {
   }
   double GetBound2() const { return this->Dist2; }
+  /** Most leaves after the first have nothing nearer. */
+  bool NeedsIds() const { return !this->HasFound(); }
   std::size_t GetMostAtOnePlace() const { return 1; }
   void Add(const double* dist2, double least, const PointIndex* ids, std::size_t count)
   {
@@ -81,6 +84,7 @@ public:
   {
   }
   double GetBound2() const { return this->Bound2; }
+  static constexpr bool NeedsIds() { return true; }
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
@@ -133,6 +137,7 @@ public:
   {
   }
   double GetBound2() const { return this->Radius2; }
+  static constexpr bool NeedsIds() { return true; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     for (std::size_t i = 0; i < count; ++i)
@@ -163,6 +168,7 @@ public:
   {
   }
   double GetBound2() const { return this->Radius2; }
+  static constexpr bool NeedsIds() { return true; }
   void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
   {
     const std::size_t before = this->Found.size();

@@ -85,6 +85,12 @@ public:
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
     const PointIndex* ids = this->Tree.GetIds() + first;
+    if (this->Points.NeedsIds())
+    {
+      // Now, while the points are measured: in a large tree each wait for memory counts.
+      __builtin_prefetch(ids);
+      __builtin_prefetch(ids + size - 1);
+    }
     double dist2[DistanceKernels<Dim, Real>::MostPoints];
     for (std::size_t done = 0; done < size; done += DistanceKernels<Dim, Real>::MostPoints)
     {
