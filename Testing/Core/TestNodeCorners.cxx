@@ -119,10 +119,15 @@ TEST(TestNodeCornersFacts, ReportsProgressWhenMostCornersAreShared)
   // One point in the middle of each cell: a complete tree, with hardly more corners than nodes.
   PointSample<3, double> sample{ "full", {} };
   constexpr int side = 32;
-  for (int i = 0; i < side * side * side; ++i)
+  for (int x = 0; x < side; ++x)
   {
-    sample.Coordinates.insert(
-      sample.Coordinates.end(), { i % side + 0.5, i / side % side + 0.5, i / side / side + 0.5 });
+    for (int y = 0; y < side; ++y)
+    {
+      for (int z = 0; z < side; ++z)
+      {
+        sample.Coordinates.insert(sample.Coordinates.end(), { x + 0.5, y + 0.5, z + 0.5 });
+      }
+    }
   }
   const SampleTree<3, double> made(sample);
   const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());
