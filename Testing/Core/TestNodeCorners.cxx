@@ -41,6 +41,33 @@ void CheckCorners(const Buffer<typename Octree<Dim>::Node>& nodes)
   }
   EXPECT_EQ(corners.GetNumberOfCorners(), distinct.size());
 }
+
+/** The leaves of a sample, and what numbering their corners tells of its progress. */
+struct Numbering
+{
+  explicit Numbering(const PointSample<3, double>& sample)
+    : Nodes(ListNodes(SampleTree<3, double>(sample).Tree, NodeListOptions{}, Execution()))
+  {
+    this->NumberOfCorners = this->Number(
+      [this](double fraction)
+      {
+        this->Looks.push_back(fraction);
+        return true;
+      });
+  }
+
+  /** Numbers the corners; returns how many they are. */
+  std::size_t Number(const Execution::Progress& progress) const
+  {
+    std::vector<int> connectivity(8 * this->Nodes.GetSize());
+    return NodeCorners<3>(this->Nodes, connectivity.data(), Execution(OnThreads(1), progress))
+      .GetNumberOfCorners();
+  }
+
+  Buffer<Octree<3>::Node> Nodes;
+  std::vector<double> Looks;
+  std::size_t NumberOfCorners;
+};
 }
 
 template <typename Dimension>
@@ -90,27 +117,17 @@ TEST(TestNodeCornersFacts, ReportsProgressWhenFewCornersAreShared)
       }
     }
   }
-  const SampleTree<3, double> made(sample);
-  const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());
-  std::vector<int> connectivity(8 * nodes.GetSize());
-  std::vector<double> looks;
-  const Execution execution(OnThreads(1),
-    [&looks](double fraction)
-    {
-      looks.push_back(fraction);
-      return true;
-    });
-  const NodeCorners<3> corners(nodes, connectivity.data(), execution);
-  EXPECT_GT(corners.GetNumberOfCorners(), 4 * nodes.GetSize());
+  Numbering numbering(sample);
+  const std::vector<double>& looks = numbering.Looks;
+  EXPECT_GT(numbering.NumberOfCorners, 4 * numbering.Nodes.GetSize());
 
-  // More looks than from one batch of nodes to the next: each time that a shard is full, too.
+  // One look each time that a shard is full.
   EXPECT_TRUE(std::is_sorted(looks.begin(), looks.end()));
   EXPECT_GT(looks.size(), 1000U);
   for (const std::size_t last : { std::size_t(1), looks.size() / 2, looks.size() })
   {
     std::size_t left = last;
-    const Execution interrupted(OnThreads(1), [&left](double) { return --left != 0; });
-    EXPECT_THROW(NodeCorners<3>(nodes, connectivity.data(), interrupted), Interrupted) << last;
+    EXPECT_THROW(numbering.Number([&left](double) { return --left != 0; }), Interrupted) << last;
   }
 }
 
@@ -129,21 +146,14 @@ TEST(TestNodeCornersFacts, ReportsProgressWhenMostCornersAreShared)
       }
     }
   }
-  const SampleTree<3, double> made(sample);
-  const auto nodes = ListNodes(made.Tree, NodeListOptions{}, Execution());
-  std::vector<int> connectivity(8 * nodes.GetSize());
-  std::vector<double> looks;
-  const Execution execution(OnThreads(1),
-    [&looks](double fraction)
-    {
-      looks.push_back(fraction);
-      return true;
-    });
-  const NodeCorners<3> corners(nodes, connectivity.data(), execution);
-  ASSERT_LT(corners.GetNumberOfCorners(), 2 * nodes.GetSize());
-  for (std::size_t i = 1; i < looks.size(); ++i)
+  const Numbering numbering(sample);
+  const std::vector<double>& looks = numbering.Looks;
+  ASSERT_LT(numbering.NumberOfCorners, 2 * numbering.Nodes.GetSize());
+  double last = 0.0;
+  for (const double look : looks)
   {
-    ASSERT_LE(looks[i] - looks[i - 1], 0.125) << i;
+    ASSERT_LE(look - last, 0.125);
+    last = look;
   }
-  EXPECT_GE(looks.back(), 0.999);
+  EXPECT_GE(last, 0.999);
 }
