@@ -39,6 +39,7 @@ struct NodeExtent
   }
 };
 
+constexpr double WalkShare = 0.05;    // Of the progress, until the walk can begin.
 constexpr std::size_t GroupSize = 16; // Nodes whose corners the machine loads together.
 }
 
@@ -55,7 +56,8 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
   : Codes(nodes.GetSize() * CornersOfNode)
 {
   const std::size_t numberOfNodes = nodes.GetSize();
-  NodeWalk<Dim> walk(nodes);
+  NodeWalk<Dim> walk(nodes, execution.Part(0.0, WalkShare));
+  const Execution rest = execution.Part(WalkShare, 1.0);
   OpenCorners<Dim> open;
   std::array<std::size_t, GroupSize> places;
   std::array<std::array<std::uint64_t, CornersOfNode>, GroupSize> codes;
@@ -79,7 +81,7 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
       for (unsigned corner = 0; corner < CornersOfNode; ++corner)
       {
         const std::uint64_t code = codes[i][corner];
-        const std::uint64_t number = open.FindOrInsert(code, this->Count, first, execution, done);
+        const std::uint64_t number = open.FindOrInsert(code, this->Count, first, rest, done);
         if (number == this->Count)
         {
           this->Codes[this->Count++] = code;
@@ -88,7 +90,7 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
       }
     }
   }
-  open.Clear(execution);
+  open.Clear(rest);
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

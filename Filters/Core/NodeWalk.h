@@ -2,6 +2,7 @@
 #ifndef hashedoctree_NodeWalk_h
 #define hashedoctree_NodeWalk_h
 
+#include "Execution.h"
 #include "Octree.h"
 
 #include <algorithm>
@@ -24,17 +25,22 @@ class NodeWalk
 public:
   using Nodes = Buffer<typename Octree<Dim>::Node>;
 
-  explicit NodeWalk(const Nodes& nodes)
+  /** Finds the pieces, O(nodes). Throws Interrupted. */
+  NodeWalk(const Nodes& nodes, const Execution& execution)
     : Listed(nodes)
   {
-    for (std::size_t last = 0; last < nodes.GetSize();)
+    const std::size_t size = nodes.GetSize();
+    for (std::size_t place = 0; place < size; ++place)
     {
-      const std::size_t next = last++;
-      while (last < nodes.GetSize() && this->GetFirstKey(last - 1) <= this->GetFirstKey(last))
+      if (place % BatchSize == 0)
       {
-        ++last;
+        execution.Tell(static_cast<double>(place) / static_cast<double>(size));
       }
-      this->Pieces.push_back({ this->GetFirstKey(next), next, last });
+      if (place == 0 || this->GetFirstKey(place) < this->GetFirstKey(place - 1))
+      {
+        this->Pieces.push_back({ this->GetFirstKey(place), place, place });
+      }
+      ++this->Pieces.back().Last;
     }
     std::make_heap(this->Pieces.begin(), this->Pieces.end());
   }
@@ -59,6 +65,7 @@ public:
 
 private:
   using Key = MortonKey<Dim>;
+  static constexpr std::size_t BatchSize = std::size_t(1) << 16; ///< Nodes between two reports.
 
   /** Places in the list, of which the walk has yet to come to these. */
   struct Piece

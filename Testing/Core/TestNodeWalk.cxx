@@ -4,6 +4,7 @@
 #include "Dimensions.h"
 #include "NodeList.h"
 #include "SampleTree.h"
+#include "Threads.h"
 
 #include <algorithm>
 #include <numeric>
@@ -25,7 +26,7 @@ void CheckWalk(const Nodes<Dim>& nodes)
   std::stable_sort(expected.begin(), expected.end(),
     [&nodes](std::size_t a, std::size_t b)
     { return nodes[a].NodeKey.GetFirstAtMaxDepth() < nodes[b].NodeKey.GetFirstAtMaxDepth(); });
-  NodeWalk<Dim> walk(nodes);
+  NodeWalk<Dim> walk(nodes, Execution());
   for (const std::size_t place : expected)
   {
     ASSERT_EQ(walk.Next(), place);
@@ -71,4 +72,30 @@ TYPED_TEST(TestNodeWalk, WalksAlongNoNodesAndToTheLastCellOfAll)
     nodes[place++] = { key, 0, 0, false };
   }
   CheckWalk<dim>(nodes);
+}
+
+TEST(TestNodeWalkFacts, LooksAtAnAbortWhileItFindsThePieces)
+{
+  constexpr std::size_t manyNodes = 1000000;
+  Nodes<3> nodes(manyNodes);
+  std::fill_n(nodes.GetData(), manyNodes, Octree<3>::Node{ MortonKey<3>::Root(), 0, 0, false });
+  std::vector<double> looks;
+  const auto walk = [&nodes, &looks](std::size_t looksToStop)
+  {
+    looks.clear();
+    NodeWalk<3>(nodes,
+      Execution(OnThreads(1),
+        [&looks, looksToStop](double fraction)
+        { return looks.push_back(fraction), looks.size() < looksToStop; }));
+  };
+  walk(manyNodes);
+  EXPECT_EQ(looks.front(), 0.0);
+  EXPECT_GE(looks.back(), 0.9);
+  for (std::size_t i = 1; i < looks.size(); ++i)
+  {
+    EXPECT_GT(looks[i], looks[i - 1]);
+    EXPECT_LT(looks[i], looks[i - 1] + 0.1);
+  }
+  EXPECT_THROW(walk(5), Interrupted);
+  EXPECT_EQ(looks.size(), 5U);
 }
