@@ -32,21 +32,21 @@ ClosestFew::ClosestFew(std::size_t wanted, SelectPoints select, bool useVectors)
   }
 }
 
-void ClosestFew::Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
+void ClosestFew::Add(
+  const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t count)
 {
   if (this->UsesRegisters())
   {
-    this->AddInRegisters(dist2, ids, count);
+    this->AddInRegisters(dist2, within, ids, count);
     return;
   }
-  const std::uint64_t chosen = this->Select(dist2, count, this->Bound2);
   if (this->UseVectors)
   {
-    this->Kept.MergeWithVectors(dist2, ids, chosen, this->Wanted);
+    this->Kept.MergeWithVectors(dist2, ids, within, this->Wanted);
   }
   else
   {
-    this->Kept.Merge(dist2, ids, chosen, this->Wanted);
+    this->Kept.Merge(dist2, ids, within, this->Wanted);
   }
   this->SetBound();
 }
@@ -146,21 +146,23 @@ struct Row
 }
 
 HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddInRegisters(
-  const double* dist2, const PointIndex* ids, std::size_t count)
+  const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t count)
 {
-  const double limit =
-    this->Kept.Size < this->Wanted ? GetBoundOfEight(dist2, count) : this->Bound2;
+  if (this->Kept.Size < this->Wanted)
+  {
+    within = this->Select(dist2, count, GetBoundOfEight(dist2, count));
+  }
   Row row;
   row.Load(this->Kept.Dist2, this->Kept.Ids);
-  for (std::uint64_t places = this->Select(dist2, count, limit); places != 0; places &= places - 1)
+  for (; within != 0; within &= within - 1)
   {
-    const auto place = static_cast<unsigned>(__builtin_ctzll(places));
+    const auto place = static_cast<unsigned>(__builtin_ctzll(within));
     const __m256d here = _mm256_broadcast_sd(dist2 + place);
     const unsigned equal = row.GetEqual(here);
     if (equal != 0 && !row.IsLastBefore(equal, ids[place]))
     {
       row.Store(this->Kept.Dist2, this->Kept.Ids);
-      this->Kept.MergeWithVectors(dist2, ids, places, MostInRegisters);
+      this->Kept.MergeWithVectors(dist2, ids, within, MostInRegisters);
       std::fill(this->Kept.Dist2 + this->Kept.Size, this->Kept.Dist2 + MostInRegisters,
         std::numeric_limits<double>::infinity());
       std::fill(this->Kept.Ids + this->Kept.Size, this->Kept.Ids + MostInRegisters, nullptr);
@@ -175,6 +177,6 @@ HASHEDOCTREE_WITH_AVX2 void ClosestFew::AddInRegisters(
   this->SetBound();
 }
 #else
-void ClosestFew::AddInRegisters(const double*, const PointIndex*, std::size_t) {}
+void ClosestFew::AddInRegisters(const double*, std::uint64_t, const PointIndex*, std::size_t) {}
 #endif
 }

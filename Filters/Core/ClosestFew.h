@@ -21,6 +21,7 @@ class ClosestFew
 public:
   static constexpr bool HasFixedBall = false;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesWithin = true;
   static constexpr bool TakesPromises = false;
   static constexpr std::size_t MostWanted = RankedPoints::MostPoints;
   static constexpr std::size_t MostInRegisters = 8;
@@ -38,14 +39,15 @@ public:
   static constexpr bool NeedsIds() { return true; }
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
 
-  /** `ids` must stay as they are until CopyTo(); `dist2` is what DistanceKernels::ToPoints() has
-   * written, of at most RankedPoints::MostPoints. */
-  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count);
+  /** `ids` must stay as they are until CopyTo(); `dist2` and `within` are what
+   * DistanceKernels::ToPointsWithin() gives, of at most RankedPoints::MostPoints. */
+  void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t count);
   void CopyTo(std::vector<FoundPoint>& found) const;
 
 private:
   bool UsesRegisters() const { return this->UseVectors && this->Wanted <= MostInRegisters; }
-  void AddInRegisters(const double* dist2, const PointIndex* ids, std::size_t count);
+  void AddInRegisters(
+    const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t count);
   void SetBound()
   {
     if (this->Kept.Size >= this->Wanted)

@@ -100,6 +100,12 @@ struct Plain
     const double b = least[2] < least[3] ? least[2] : least[3];
     return a < b ? a : b;
   }
+  static std::uint64_t ToPointsWithin(const Real* coordinates, std::size_t stride,
+    std::size_t count, const double* x, double limit, double* dist2)
+  {
+    return ToPoints(coordinates, stride, count, x, dist2) <= limit ? Select(dist2, count, limit)
+                                                                   : 0;
+  }
   static std::uint64_t Select(const double* dist2, std::size_t count, double limit)
   {
     std::uint64_t selected = 0;
@@ -175,13 +181,9 @@ struct Avx2
   HASHEDOCTREE_WITH_AVX2 static double ToPoints(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
-    const __m256d infinity = _mm256_set1_pd(std::numeric_limits<double>::infinity());
     __m256d center[Dim];
-    for (std::size_t axis = 0; axis < Dim; ++axis)
-    {
-      center[axis] = _mm256_set1_pd(x[axis]);
-    }
-    __m256d least = infinity;
+    Spread(x, center);
+    __m256d least = _mm256_set1_pd(Infinity);
     const std::size_t last = (count - 1) / 4 * 4;
     for (std::size_t i = 0; i < last; i += 4)
     {
@@ -189,15 +191,32 @@ struct Avx2
       least = _mm256_min_pd(sum, least);
       _mm256_storeu_pd(dist2 + i, sum);
     }
-    const __m256d places = _mm256_setr_pd(0.0, 1.0, 2.0, 3.0);
-    const __m256d isPoint =
-      _mm256_cmp_pd(places, _mm256_set1_pd(static_cast<double>(count - last)), _CMP_LT_OQ);
-    const __m256d sum =
-      _mm256_blendv_pd(infinity, Sum(coordinates + last, stride, center), isPoint);
+    const __m256d sum = SumOfFirst(count - last, coordinates + last, stride, center);
     _mm256_storeu_pd(dist2 + last, sum);
     least = _mm256_min_pd(sum, least);
     const __m128d half = _mm_min_pd(_mm256_castpd256_pd128(least), _mm256_extractf128_pd(least, 1));
     return _mm_cvtsd_f64(_mm_min_sd(half, _mm_unpackhi_pd(half, half)));
+  }
+  // Eight at a time: how often a loop runs is hard for the machine to foresee.
+  HASHEDOCTREE_WITH_AVX2 static std::uint64_t ToPointsWithin(const Real* coordinates,
+    std::size_t stride, std::size_t count, const double* x, double limit, double* dist2)
+  {
+    __m256d center[Dim];
+    Spread(x, center);
+    const __m256d limits = _mm256_set1_pd(limit);
+    std::uint64_t within = 0;
+    const std::size_t last = (count - 1) / 8 * 8;
+    for (std::size_t i = 0; i < last; i += 8)
+    {
+      const __m256d sums[] = { Sum(coordinates + i, stride, center),
+        Sum(coordinates + i + 4, stride, center) };
+      within |= StoreEight(sums, limits, dist2 + i) << i;
+    }
+    const std::size_t left = count - last;
+    const __m256d sums[] = { SumOfFirst(left, coordinates + last, stride, center),
+      SumOfFirst(left < 4 ? 0 : left - 4, coordinates + last + 4, stride, center) };
+    within |= StoreEight(sums, limits, dist2 + last) << last;
+    return within & GetFirstBits(count);
   }
   HASHEDOCTREE_WITH_AVX2 static std::uint64_t Select(
     const double* dist2, std::size_t count, double limit)
@@ -209,10 +228,20 @@ struct Avx2
       const __m256d isWithin = _mm256_cmp_pd(_mm256_loadu_pd(dist2 + i), limits, _CMP_LE_OQ);
       selected |= static_cast<std::uint64_t>(_mm256_movemask_pd(isWithin)) << i;
     }
-    return selected & (~std::uint64_t(0) >> (64 - count));
+    return selected & GetFirstBits(count);
   }
 
 private:
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+  static std::uint64_t GetFirstBits(std::size_t count) { return ~std::uint64_t(0) >> (64 - count); }
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static void Spread(const double* x, __m256d* center)
+  {
+    for (std::size_t axis = 0; axis < Dim; ++axis)
+    {
+      center[axis] = _mm256_set1_pd(x[axis]);
+    }
+  }
   HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static __m256d Load(const float* x)
   {
     return _mm256_cvtps_pd(_mm_loadu_ps(x));
@@ -225,13 +254,33 @@ private:
   HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static __m256d Sum(
     const Real* coordinates, std::size_t stride, const __m256d* center)
   {
-    __m256d sum = _mm256_setzero_pd();
-    for (std::size_t axis = 0; axis < Dim; ++axis)
+    __m256d difference = _mm256_sub_pd(Load(coordinates), center[0]);
+    __m256d sum = _mm256_mul_pd(difference, difference);
+    for (std::size_t axis = 1; axis < Dim; ++axis)
     {
-      const __m256d difference = _mm256_sub_pd(Load(coordinates + axis * stride), center[axis]);
+      difference = _mm256_sub_pd(Load(coordinates + axis * stride), center[axis]);
       sum = _mm256_add_pd(sum, _mm256_mul_pd(difference, difference));
     }
     return sum;
+  }
+  /** The same of the first few of them, infinity for the others. */
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static __m256d SumOfFirst(
+    std::size_t count, const Real* coordinates, std::size_t stride, const __m256d* center)
+  {
+    const __m256d places = _mm256_setr_pd(0.0, 1.0, 2.0, 3.0);
+    const __m256d isPoint =
+      _mm256_cmp_pd(places, _mm256_set1_pd(static_cast<double>(count)), _CMP_LT_OQ);
+    return _mm256_blendv_pd(_mm256_set1_pd(Infinity), Sum(coordinates, stride, center), isPoint);
+  }
+  /** Stores eight distances; bit i: whether the one in place i is not greater than a limit. */
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static std::uint64_t StoreEight(
+    const __m256d* sums, __m256d limits, double* dist2)
+  {
+    _mm256_storeu_pd(dist2, sums[0]);
+    _mm256_storeu_pd(dist2 + 4, sums[1]);
+    const int low = _mm256_movemask_pd(_mm256_cmp_pd(sums[0], limits, _CMP_LE_OQ));
+    const int high = _mm256_movemask_pd(_mm256_cmp_pd(sums[1], limits, _CMP_LE_OQ));
+    return static_cast<std::uint64_t>(low | high << 4);
   }
 };
 
@@ -305,8 +354,9 @@ private:
 
 template <int Dim, typename Real>
 constexpr DistanceKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints,
-  Plain<Dim, Real>::Select, Plain<Dim, Real>::template ToBoxes<float>,
-  Plain<Dim, Real>::template ToBoxes<double>, Plain<Dim, Real>::ToFarthestCorner };
+  Plain<Dim, Real>::ToPointsWithin, Plain<Dim, Real>::Select,
+  Plain<Dim, Real>::template ToBoxes<float>, Plain<Dim, Real>::template ToBoxes<double>,
+  Plain<Dim, Real>::ToFarthestCorner };
 
 template <int Dim, typename Real>
 DistanceKernels<Dim, Real> ChooseKernels()
@@ -316,6 +366,7 @@ DistanceKernels<Dim, Real> ChooseKernels()
   {
     DistanceKernels<Dim, Real> kernels = PlainKernels<Dim, Real>;
     kernels.ToPoints = Avx2<Dim, Real>::ToPoints;
+    kernels.ToPointsWithin = Avx2<Dim, Real>::ToPointsWithin;
     kernels.Select = Avx2<Dim, Real>::Select;
     if constexpr (Dim == 3)
     {

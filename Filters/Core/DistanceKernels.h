@@ -31,17 +31,22 @@ struct ChildBoxes
 template <int Dim, typename Real>
 struct DistanceKernels
 {
-  static constexpr std::size_t MostPoints = 64; ///< That ToPoints() takes at a time.
-  static constexpr std::size_t Padding = 3;     ///< Coordinates that must exist beyond the last.
+  static constexpr std::size_t MostPoints = 64; ///< That are measured at a time.
+  static constexpr std::size_t Padding = 7;     ///< Coordinates that must exist beyond the last.
 
+  ///@{
   /** Squared distances from x to `count` points, at least one, whose coordinates on one axis stand
    * side by side, and those on the next axis `stride` further: the sum of squared differences in
-   * double, axis by axis in order. `dist2` has room for MostPoints. Returns the least of them. */
+   * double, axis by axis in order. `dist2` has room for MostPoints; behind the last stands infinity
+   * until their number is a multiple of 4. ToPoints() returns the least of them, ToPointsWithin()
+   * which are not greater than a limit: bit i for the one to point i. */
   double (*ToPoints)(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2);
+  std::uint64_t (*ToPointsWithin)(const Real* coordinates, std::size_t stride, std::size_t count,
+    const double* x, double limit, double* dist2);
+  ///@}
 
-  /** Which of the distances that ToPoints() has written, at least one, are not greater than a
-   * limit: bit i for the one to point i. */
+  /** The same mask, of distances that one of them has written, at least one. */
   std::uint64_t (*Select)(const double* dist2, std::size_t count, double limit);
 
   ///@{

@@ -12,7 +12,8 @@ namespace hashedoctree
 // What a walk hands its points to. A collector has
 // - GetBound2(): the squared radius beyond which points are of no use to it, now;
 // - Add(dist2, least, ids, count): takes points of a leaf, their squared distances and the least of
-//   these;
+//   these, which is within the bound;
+// - TakesWithin: whether Add() has, in place of the least, the mask of those within the bound;
 // - NeedsIds(): whether it is likely to read ids of the points that it is handed next;
 // - HasFixedBall: whether the bound never changes; if it does, it also has
 // - GetMostAtOnePlace(): of points at one place, taken by id, how many of the first are of use;
@@ -29,6 +30,7 @@ class ClosestOne
 public:
   static constexpr bool HasFixedBall = false;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesWithin = false;
   static constexpr bool TakesPromises = true;
 
   /** `select` is DistanceKernels::Select. */
@@ -76,6 +78,7 @@ class ClosestMany
 public:
   static constexpr bool HasFixedBall = false;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesWithin = true;
   static constexpr bool TakesPromises = false;
 
   ClosestMany(std::size_t wanted, std::vector<FoundPoint>& found)
@@ -86,10 +89,11 @@ public:
   double GetBound2() const { return this->Bound2; }
   static constexpr bool NeedsIds() { return true; }
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
-  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
+  void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    for (; within != 0; within &= within - 1)
     {
+      const int i = __builtin_ctzll(within);
       if (dist2[i] <= this->Bound2)
       {
         this->Add({ dist2[i], ids[i] });
@@ -129,6 +133,7 @@ class AllMeasured
 public:
   static constexpr bool HasFixedBall = true;
   static constexpr bool TakesWholeNodes = false;
+  static constexpr bool TakesWithin = false;
   static constexpr bool TakesPromises = false;
 
   AllMeasured(double radius2, std::vector<FoundPoint>& found)
@@ -160,6 +165,7 @@ class AllWithin
 public:
   static constexpr bool HasFixedBall = true;
   static constexpr bool TakesWholeNodes = true;
+  static constexpr bool TakesWithin = false;
   static constexpr bool TakesPromises = false;
 
   AllWithin(double radius2, std::vector<PointIndex>& found)

@@ -91,16 +91,30 @@ public:
       __builtin_prefetch(ids);
       __builtin_prefetch(ids + size - 1);
     }
-    double dist2[DistanceKernels<Dim, Real>::MostPoints];
-    for (std::size_t done = 0; done < size; done += DistanceKernels<Dim, Real>::MostPoints)
+    using Kernels = DistanceKernels<Dim, Real>;
+    const Kernels& kernels = this->Tree.GetKernels();
+    double dist2[Kernels::MostPoints];
+    for (std::size_t done = 0; done < size; done += Kernels::MostPoints)
     {
-      const std::size_t count =
-        std::min<std::size_t>(DistanceKernels<Dim, Real>::MostPoints, size - done);
-      const double least =
-        this->Tree.GetKernels().ToPoints(coordinates + done, stride, count, this->X.data(), dist2);
-      if (least <= this->Points.GetBound2())
+      const std::size_t count = std::min<std::size_t>(Kernels::MostPoints, size - done);
+      const Real* some = coordinates + done;
+      const double* x = this->X.data();
+      const double bound2 = this->Points.GetBound2();
+      if constexpr (Collector::TakesWithin)
       {
-        this->Points.Add(dist2, least, ids + done, count);
+        const std::uint64_t within = kernels.ToPointsWithin(some, stride, count, x, bound2, dist2);
+        if (within != 0)
+        {
+          this->Points.Add(dist2, within, ids + done, count);
+        }
+      }
+      else
+      {
+        const double least = kernels.ToPoints(some, stride, count, x, dist2);
+        if (least <= bound2)
+        {
+          this->Points.Add(dist2, least, ids + done, count);
+        }
       }
     }
   }

@@ -113,11 +113,6 @@ private:
       {
         return;
       }
-      this->Ball.SetRadius2(this->Points.GetBound2());
-      if (this->Ball.GetDepth() >= depth)
-      {
-        return;
-      }
       this->Below.LeaveOutLeaf(parent.FirstPoint[octant]);
     }
 

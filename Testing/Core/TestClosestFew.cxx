@@ -49,13 +49,14 @@ std::vector<Leaf> MakeLeaves(std::mt19937& random, std::size_t numberOfLeaves, u
 std::vector<FoundPoint> FindClosest(
   const std::vector<Leaf>& leaves, std::size_t wanted, bool useVectors)
 {
-  ClosestFew closest(wanted, GetDistanceKernels<3, float>().Select, useVectors);
+  const auto select = GetDistanceKernels<3, float>().Select;
+  ClosestFew closest(wanted, select, useVectors);
   for (const Leaf& leaf : leaves)
   {
-    const double least = *std::min_element(leaf.Dist2.begin(), leaf.Dist2.end());
-    if (least <= closest.GetBound2())
+    const std::uint64_t within = select(leaf.Dist2.data(), leaf.Ids.size(), closest.GetBound2());
+    if (within != 0)
     {
-      closest.Add(leaf.Dist2.data(), least, leaf.Ids.data(), leaf.Ids.size());
+      closest.Add(leaf.Dist2.data(), within, leaf.Ids.data(), leaf.Ids.size());
     }
   }
   std::vector<FoundPoint> found;

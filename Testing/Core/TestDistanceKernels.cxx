@@ -147,7 +147,7 @@ protected:
       points.insert(points.end(), Kernels::Padding, static_cast<Real>(x[Dim - 1]));
       std::vector<double> dist2(Kernels::MostPoints, -1.0);
       const double least = kernels.ToPoints(points.data(), stride, count, x, dist2.data());
-      double expectedLeast = INFINITY;
+      double expectedLeast = Infinity;
       for (std::size_t i = 0; i < count; ++i)
       {
         double expected = 0.0;
@@ -160,8 +160,29 @@ protected:
         expectedLeast = std::min(expectedLeast, expected);
       }
       ASSERT_EQ(least, expectedLeast);
+      ExpectInfinityBehind(dist2, count);
+      for (const double limit : { dist2[count / 2], least, 0.0, Infinity })
+      {
+        std::vector<double> again(Kernels::MostPoints, -1.0);
+        const std::uint64_t within =
+          kernels.ToPointsWithin(points.data(), stride, count, x, limit, again.data());
+        ASSERT_EQ(within, kernels.Select(dist2.data(), count, limit));
+        ASSERT_TRUE(std::equal(dist2.begin(), dist2.begin() + count, again.begin()));
+        ExpectInfinityBehind(again, count);
+      }
     }
   }
+
+  /** After so many distances, up to a multiple of 4. */
+  static void ExpectInfinityBehind(const std::vector<double>& dist2, std::size_t count)
+  {
+    for (std::size_t i = count; i % 4 != 0; ++i)
+    {
+      ASSERT_EQ(dist2[i], Infinity);
+    }
+  }
+
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
 };
 TYPED_TEST_SUITE(TestDistanceKernels, Dimensions);
 
@@ -182,7 +203,7 @@ TYPED_TEST(TestDistanceKernels, SelectedAreThoseWithinTheLimit)
     points.insert(points.end(), Kernels::Padding, 0.5F);
     std::vector<double> dist2(Kernels::MostPoints);
     GetDistanceKernels<dim, float>().ToPoints(points.data(), count, count, x, dist2.data());
-    for (const double limit : { dist2[count / 2], 0.0, std::numeric_limits<double>::infinity() })
+    for (const double limit : { dist2[count / 2], 0.0, TestFixture::Infinity })
     {
       TestFixture::template ForAllKernels<float>(
         [&](const Kernels& kernels)
@@ -258,6 +279,7 @@ TYPED_TEST(TestDistanceKernels, EachIsTheFastestThatTheMachineHas)
   const DistanceKernels<dim, float>& plain = GetPlainDistanceKernels<dim, float>();
   const DistanceKernels<dim, float>& fastest = GetDistanceKernels<dim, float>();
   EXPECT_EQ(fastest.ToPoints != plain.ToPoints, HasAvx2());
+  EXPECT_EQ(fastest.ToPointsWithin != plain.ToPointsWithin, HasAvx2());
   EXPECT_EQ(fastest.Select != plain.Select, HasAvx2());
   // Boxes: in space only.
   EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, HasAvx2() && dim == 3);
