@@ -177,7 +177,7 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
 
 bool vtkHashedOctreePointLocator::IsUpToDate()
 {
-  return this->Built && this->BuildTime > this->GetMTime() &&
+  return this->Built && this->BuildTime > this->MTime &&
     (this->DataSet == nullptr || this->HasSamePoints());
 }
 
@@ -306,7 +306,10 @@ void vtkHashedOctreePointLocator::FreeSearchStructure()
 
 const vtkHashedOctreePointLocator::Index& vtkHashedOctreePointLocator::GetIndex()
 {
-  this->BuildLocator();
+  if (!this->IsUpToDate())
+  {
+    this->BuildLocator();
+  }
   return *this->Built;
 }
 
