@@ -144,6 +144,7 @@ protected:
       const std::size_t stride = count + count % 3;
       std::vector<Real> points = MakeUniformPoints<Dim, Real>(stride, 131);
       // What stands beyond the points must not count: these would be the nearest.
+      points.reserve(points.size() + Kernels::Padding); // No more, for the address sanitizer.
       points.insert(points.end(), Kernels::Padding, static_cast<Real>(x[Dim - 1]));
       std::vector<double> dist2(Kernels::MostPoints, -1.0);
       const double least = kernels.ToPoints(points.data(), stride, count, x, dist2.data());

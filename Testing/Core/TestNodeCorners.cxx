@@ -157,3 +157,28 @@ TEST(TestNodeCornersFacts, ReportsProgressWhenMostCornersAreShared)
   }
   EXPECT_GE(last, 0.999);
 }
+
+TEST(TestNodeCornersFacts, ProgressNeverFalls)
+{
+  // All nodes of a depth: enough of them for reports from each part of the work.
+  constexpr int depth = 6;
+  const MortonKey<3> first = MortonKey<3>::Root().GetFirstAtMaxDepth().AtDepth(depth);
+  constexpr std::size_t side = 1U << depth;
+  Buffer<Octree<3>::Node> nodes(side * side * side);
+  for (std::size_t i = 0; i < nodes.GetSize(); ++i)
+  {
+    nodes[i] = { MortonKey<3>(first.GetValue() + i), 0, 0, false };
+  }
+  std::vector<int> connectivity(8 * nodes.GetSize());
+  std::vector<double> looks;
+  const NodeCorners<3> corners(nodes, connectivity.data(),
+    Execution(OnThreads(1),
+      [&looks](double fraction)
+      {
+        looks.push_back(fraction);
+        return true;
+      }));
+  EXPECT_EQ(corners.GetNumberOfCorners(), (side + 1) * (side + 1) * (side + 1));
+  EXPECT_TRUE(std::is_sorted(looks.begin(), looks.end()));
+  EXPECT_GE(looks.back(), 0.999);
+}
