@@ -83,10 +83,12 @@ TEST(TestNodeWalkFacts, LooksAtAnAbortWhileItFindsThePieces)
   const auto walk = [&nodes, &looks](std::size_t looksToStop)
   {
     looks.clear();
-    NodeWalk<3>(nodes,
-      Execution(OnThreads(1),
-        [&looks, looksToStop](double fraction)
-        { return looks.push_back(fraction), looks.size() < looksToStop; }));
+    const auto look = [&looks, looksToStop](double fraction)
+    {
+      looks.push_back(fraction);
+      return looks.size() < looksToStop;
+    };
+    NodeWalk<3>(nodes, Execution(OnThreads(1), look));
   };
   walk(manyNodes);
   EXPECT_EQ(looks.front(), 0.0);
