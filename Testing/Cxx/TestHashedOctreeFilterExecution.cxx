@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <future>
@@ -53,10 +54,14 @@ constexpr double MaxMillisecondsToStop = 100.0;
 class ProgressWatch
 {
 public:
-  /** The longest time between two reports of progress, which is also that between two looks at the
-   * abort flag, and where it was. */
-  double LongestWait = 0.0;
-  double ProgressOfLongestWait = 0.0;
+  /** A report of progress, which is also a look at the abort flag, and the time since the one
+   * before. */
+  struct Report
+  {
+    double Progress;
+    double Wait;
+  };
+  std::vector<Report> Reports;
   /** When stop() might have been called to wait the longest: right after the look before. */
   double EarliestStop = 0.0;
 
@@ -76,12 +81,7 @@ private:
   void Look(vtkObject*, unsigned long, void* data)
   {
     const double progress = *static_cast<const double*>(data);
-    const double wait = GetMilliseconds() - this->LastLook;
-    if (wait > this->LongestWait)
-    {
-      this->LongestWait = wait;
-      this->ProgressOfLongestWait = progress;
-    }
+    this->Reports.push_back({ progress, GetMilliseconds() - this->LastLook });
     if (progress >= this->Fraction && this->Stop)
     {
       this->EarliestStop = this->LastLook;
@@ -97,6 +97,19 @@ private:
   unsigned long Observer;
   double LastLook;
 };
+
+/** Of two runs that report the same progress, the shorter wait for each report. */
+std::vector<ProgressWatch::Report> ShorterWaits(
+  std::vector<ProgressWatch::Report> reports, const std::vector<ProgressWatch::Report>& others)
+{
+  EXPECT_EQ(reports.size(), others.size());
+  for (std::size_t i = 0; i < std::min(reports.size(), others.size()); ++i)
+  {
+    EXPECT_EQ(reports[i].Progress, others[i].Progress);
+    reports[i].Wait = std::min(reports[i].Wait, others[i].Wait);
+  }
+  return reports;
+}
 }
 
 TEST(TestHashedOctreeFilterExecution, ProgressMovesThroughTheWholeRun)
@@ -153,25 +166,36 @@ TEST(TestHashedOctreeFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUpdateSu
 TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
 {
   // One thread has the longest way from one look at the abort flag to the next. The abort at the
-  // end adds the time that it takes to free what was made until then.
+  // end adds the time that it takes to free what was made until then. Two runs report the same:
+  // what else the machine does can hold up either anywhere, a long way of our own is long in both.
   TestedFilter filter;
   filter->SetInputData(MakeManyPoints(ManyPoints, 62));
-  WithThreads("Sequential", 1,
-    [&filter]
-    {
-      const ProgressWatch watch(
-        filter.GetFilter(), 0.95, [&filter] { filter->SetAbortExecute(1); });
-      filter->Update();
-      const double stopped = GetMilliseconds() - watch.EarliestStop;
-      std::cout << "longest wait " << watch.LongestWait << " ms, up to progress "
-                << watch.ProgressOfLongestWait << "; stopped after " << stopped << " ms\n";
-      if (!Sanitized)
+  std::vector<ProgressWatch::Report> reports;
+  double stopped = INFINITY;
+  for (int run = 0; run < 2; ++run)
+  {
+    WithThreads("Sequential", 1,
+      [&]
       {
-        EXPECT_LE(watch.LongestWait, MaxMillisecondsToStop);
-        EXPECT_LE(stopped, MaxMillisecondsToStop);
-      }
-      filter.ExpectEmptyOutputs();
-    });
+        const ProgressWatch watch(
+          filter.GetFilter(), 0.95, [&filter] { filter->SetAbortExecute(1); });
+        filter->Update();
+        stopped = std::min(stopped, GetMilliseconds() - watch.EarliestStop);
+        reports = run == 0 ? watch.Reports : ShorterWaits(reports, watch.Reports);
+        filter.ExpectEmptyOutputs();
+        filter->SetAbortExecute(0);
+        filter->Modified();
+      });
+  }
+  const ProgressWatch::Report longest = *std::max_element(
+    reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.Wait < b.Wait; });
+  std::cout << "longest wait " << longest.Wait << " ms, up to progress " << longest.Progress
+            << "; stopped after " << stopped << " ms\n";
+  if (!Sanitized)
+  {
+    EXPECT_LE(longest.Wait, MaxMillisecondsToStop);
+    EXPECT_LE(stopped, MaxMillisecondsToStop);
+  }
 }
 
 TEST(TestHashedOctreeFilterExecution, AnotherThreadStopsIt)
