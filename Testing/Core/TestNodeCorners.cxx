@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <random>
 #include <set>
+#include <utility>
 
 using namespace hashedoctree;
 
@@ -42,11 +43,16 @@ void CheckCorners(const Buffer<typename Octree<Dim>::Node>& nodes)
   EXPECT_EQ(corners.GetNumberOfCorners(), distinct.size());
 }
 
-/** The leaves of a sample, and what numbering their corners tells of its progress. */
+/** Nodes, and what numbering their corners tells of its progress. */
 struct Numbering
 {
+  /** Of the leaves of a sample. */
   explicit Numbering(const PointSample<3, double>& sample)
-    : Nodes(ListNodes(SampleTree<3, double>(sample).Tree, NodeListOptions{}, Execution()))
+    : Numbering(ListNodes(SampleTree<3, double>(sample).Tree, NodeListOptions{}, Execution()))
+  {
+  }
+  explicit Numbering(Buffer<Octree<3>::Node> nodes)
+    : Nodes(std::move(nodes))
   {
     this->NumberOfCorners = this->Number(
       [this](double fraction)
@@ -169,16 +175,9 @@ TEST(TestNodeCornersFacts, ProgressNeverFalls)
   {
     nodes[i] = { MortonKey<3>(first.GetValue() + i), 0, 0, false };
   }
-  std::vector<int> connectivity(8 * nodes.GetSize());
-  std::vector<double> looks;
-  const NodeCorners<3> corners(nodes, connectivity.data(),
-    Execution(OnThreads(1),
-      [&looks](double fraction)
-      {
-        looks.push_back(fraction);
-        return true;
-      }));
-  EXPECT_EQ(corners.GetNumberOfCorners(), (side + 1) * (side + 1) * (side + 1));
+  const Numbering numbering(std::move(nodes));
+  const std::vector<double>& looks = numbering.Looks;
+  EXPECT_EQ(numbering.NumberOfCorners, (side + 1) * (side + 1) * (side + 1));
   EXPECT_TRUE(std::is_sorted(looks.begin(), looks.end()));
   EXPECT_GE(looks.back(), 0.999);
 }

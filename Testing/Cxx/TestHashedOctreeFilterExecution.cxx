@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <functional>
 #include <future>
@@ -171,7 +170,6 @@ TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
   TestedFilter filter;
   filter->SetInputData(MakeManyPoints(ManyPoints, 62));
   std::vector<ProgressWatch::Report> reports;
-  double stopped = INFINITY;
   for (int run = 0; run < 2; ++run)
   {
     WithThreads("Sequential", 1,
@@ -180,7 +178,12 @@ TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
         const ProgressWatch watch(
           filter.GetFilter(), 0.95, [&filter] { filter->SetAbortExecute(1); });
         filter->Update();
-        stopped = std::min(stopped, GetMilliseconds() - watch.EarliestStop);
+        const double stopped = GetMilliseconds() - watch.EarliestStop;
+        std::cout << "stopped after " << stopped << " ms\n";
+        if (!Sanitized)
+        {
+          EXPECT_LE(stopped, MaxMillisecondsToStop);
+        }
         reports = run == 0 ? watch.Reports : ShorterWaits(reports, watch.Reports);
         filter.ExpectEmptyOutputs();
         filter->SetAbortExecute(0);
@@ -190,11 +193,10 @@ TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
   const ProgressWatch::Report longest = *std::max_element(
     reports.begin(), reports.end(), [](const auto& a, const auto& b) { return a.Wait < b.Wait; });
   std::cout << "longest wait " << longest.Wait << " ms, up to progress " << longest.Progress
-            << "; stopped after " << stopped << " ms\n";
+            << '\n';
   if (!Sanitized)
   {
     EXPECT_LE(longest.Wait, MaxMillisecondsToStop);
-    EXPECT_LE(stopped, MaxMillisecondsToStop);
   }
 }
 
