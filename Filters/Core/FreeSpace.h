@@ -33,25 +33,22 @@ public:
   /** Of a tree whose root is internal, with the boxes of its blocks' children. O(coarse cells). */
   FreeSpace(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes);
 
-  /** The same as Holds() of a ball that has this reach (BallInGrid::GetReach()), told faster, but
-   * true only where the ball has a coarse cell of room. */
-  bool HoldsAround(const BallInGrid<Dim>& ball, double reach) const
-  {
-    const auto cell = static_cast<double>(std::uint64_t(1) << (Key::MaxDepth - this->Depth));
-    return reach < cell * (static_cast<double>(this->GetCellsToPoints(ball)) - 1.0);
-  }
-  /** Whether no point of the tree can be in a ball. It may have none even if not. */
-  bool Holds(const BallInGrid<Dim>& ball) const
+  /** Whether no point of the tree can be in a ball that has this reach (BallInGrid::GetReach()). It
+   * may have none even if not. */
+  bool Holds(const BallInGrid<Dim>& ball, double reach) const
   {
     const int shift = Key::MaxDepth - this->Depth;
-    std::uint32_t reach = 0;
+    const auto side = static_cast<double>(std::uint64_t(1) << shift);
+    double room = side; // In the coarse cell of the center.
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const std::uint32_t home = ball.GetHome()[axis] >> shift;
-      reach = std::max(reach, home - (ball.GetLower()[axis] >> shift));
-      reach = std::max(reach, (ball.GetUpper()[axis] >> shift) - home);
+      const auto lower = static_cast<double>(ball.GetHome()[axis] >> shift << shift);
+      const double toLower = ball.GetPlace()[axis] - lower;
+      room = std::min(room, std::min(toLower, side - toLower));
     }
-    return reach < this->GetCellsToPoints(ball);
+    // From outside: the nearest place in the root is no further from any point.
+    room = std::max(room, 0.0);
+    return reach < room + side * (static_cast<double>(this->GetCellsToPoints(ball)) - 1.0);
   }
   /** The same of the coarse cell that its center lies in, or is nearest to. */
   bool HoldsHomeOf(const BallInGrid<Dim>& ball) const { return this->GetCellsToPoints(ball) != 0; }

@@ -49,16 +49,14 @@ public:
     }
     if (Collector::HasFixedBall || this->Points.GetBound2() < Infinity)
     {
-      // Most balls that find nothing are far from all points: these need no corners.
       const double reach = this->Ball.GetReach(this->Points.GetBound2());
-      if (this->Free.HoldsAround(this->Ball, reach))
+      if (this->Free.Holds(this->Ball, reach))
       {
         return;
       }
-      this->Ball.SetReach(reach);
-      if (this->Free.Holds(this->Ball))
+      if (Collector::HasFixedBall)
       {
-        return;
+        this->Ball.SetReach(reach);
       }
     }
     const Key key = InterleaveCell<Dim>(this->Ball.GetHome(), Key::MaxDepth);
