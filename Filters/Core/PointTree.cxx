@@ -8,8 +8,8 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t Grain = 32;       // Blocks that a thread does at a time.
-constexpr std::size_t PointsAhead = 16; // Points that are on the way from the input.
+constexpr std::size_t MostPointsOfTask = 16384; // That a thread copies at a time.
+constexpr std::size_t PointsAhead = 16;         // Points that are on the way from the input.
 
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
 template <int Dim>
@@ -46,6 +46,14 @@ struct PointTree<Dim, Real>::CellBox
 {
   Cell<Dim> Lower;
   Cell<Dim> Upper;
+};
+
+/** A block with all that is below it, and the cells that its points lie in. */
+template <int Dim, typename Real>
+struct PointTree<Dim, Real>::Subtree
+{
+  std::uint32_t Block;
+  CellBox Box;
 };
 
 template <int Dim, typename Real>
@@ -131,11 +139,13 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   return CellBox{ grid.GetCell(lower), grid.GetCell(upper) };
 }
 
-/** Copies the points of the leaves of a block, and fills the boxes of its children, its own, and
- * its fork, when those of its internal children are there. */
+/** Copies the points of the leaves of a block, and fills the boxes of its children and its fork.
+ * `getBox(block)` sees to an internal child, and returns, as this does, the cells that its points
+ * lie in. */
 template <int Dim, typename Real>
-void PointTree<Dim, Real>::CopyPointsOf(
-  std::size_t block, PointSpan<Dim, Real> points, Buffer<CellBox>& blockBoxes)
+template <typename GetBox>
+typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyBlock(
+  std::uint32_t block, PointSpan<Dim, Real> points, const GetBox& getBox)
 {
   const auto& children = this->Tree.GetBlock(block);
   const auto octants = this->Tree.GetOctants(block);
@@ -150,7 +160,7 @@ void PointTree<Dim, Real>::CopyPointsOf(
       continue;
     }
     const CellBox box = (octants.Internal >> octant & 1U) != 0
-      ? blockBoxes[this->Tree.GetChildBlock(block, octant)]
+      ? getBox(this->Tree.GetChildBlock(block, octant))
       : this->CopyLeaf(points, children.FirstPoint[octant], children.FirstPoint[octant + 1]);
     for (int axis = 0; axis < Dim; ++axis)
     {
@@ -160,42 +170,81 @@ void PointTree<Dim, Real>::CopyPointsOf(
       whole.Upper[axis] = std::max(whole.Upper[axis], box.Upper[axis]);
     }
   }
-  blockBoxes[block] = whole;
-  this->Forks[block] =
-    this->IsLink(block) ? this->Forks[octants.FirstChild] : static_cast<std::uint32_t>(block);
+  this->Forks[block] = this->IsLink(block) ? this->Forks[octants.FirstChild] : block;
+  return whole;
+}
+
+/** Copies all points below a block, in their order. */
+template <int Dim, typename Real>
+typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopySubtree(
+  std::uint32_t block, PointSpan<Dim, Real> points)
+{
+  return this->CopyBlock(
+    block, points, [&](std::uint32_t child) { return this->CopySubtree(child, points); });
+}
+
+/** Copies the points below a block that are not in the next subtrees, and passes over these. */
+template <int Dim, typename Real>
+typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyAbove(std::uint32_t block,
+  PointSpan<Dim, Real> points, const std::vector<Subtree>& subtrees, std::size_t& next)
+{
+  if (next < subtrees.size() && subtrees[next].Block == block)
+  {
+    return subtrees[next++].Box;
+  }
+  return this->CopyBlock(block, points,
+    [&](std::uint32_t child) { return this->CopyAbove(child, points, subtrees, next); });
+}
+
+/** Appends the largest subtrees, in their order, that are small enough for a task. */
+template <int Dim, typename Real>
+void PointTree<Dim, Real>::ListSubtrees(std::uint32_t block, std::vector<Subtree>& subtrees) const
+{
+  constexpr unsigned numberOfOctants = Octree<Dim>::NumberOfOctants;
+  const auto& children = this->Tree.GetBlock(block);
+  const std::size_t count = children.FirstPoint[numberOfOctants] - children.FirstPoint[0];
+  if (count <=
+    std::max(MostPointsOfTask, numberOfOctants * this->Tree.GetOptions().MaxPointsPerLeaf))
+  {
+    subtrees.push_back({ block, {} });
+    return;
+  }
+  const unsigned internal = this->Tree.GetOctants(block).Internal;
+  for (unsigned rest = internal; rest != 0; rest &= rest - 1)
+  {
+    this->ListSubtrees(
+      this->Tree.GetChildBlock(block, static_cast<unsigned>(__builtin_ctz(rest))), subtrees);
+  }
 }
 
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Execution& execution)
 {
-  if (!this->Tree.IsRootInternal() && this->GetNumberOfPoints() > 0)
+  if (!this->Tree.IsRootInternal())
   {
-    this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
+    if (this->GetNumberOfPoints() > 0)
+    {
+      this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
+    }
+    return;
   }
   const std::size_t numberOfBlocks = this->Tree.GetNumberOfInternalNodes();
   this->Boxes = Buffer<ChildBoxes<Dim>>(numberOfBlocks);
   this->Forks = Buffer<std::uint32_t>(numberOfBlocks);
-  Buffer<CellBox> blockBoxes(numberOfBlocks);
 
-  // Children before parents: depth by depth from below, each depth being a run of blocks.
-  std::size_t last = numberOfBlocks;
-  while (last > 0)
-  {
-    const int depth = this->Tree.GetBlockKey(last - 1).GetDepth();
-    const std::size_t first = this->FindFirstBlockAt(depth);
-    execution.For(
-      last - first, Grain,
-      [&](std::size_t from, std::size_t to)
+  // Leaves in the order of their points in memory, whatever their depths.
+  std::vector<Subtree> subtrees;
+  this->ListSubtrees(0, subtrees);
+  execution.For(subtrees.size(), 1,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
       {
-        for (std::size_t block = first + from; block < first + to; ++block)
-        {
-          this->CopyPointsOf(block, points, blockBoxes);
-        }
-      },
-      static_cast<double>(numberOfBlocks - last) / static_cast<double>(numberOfBlocks),
-      static_cast<double>(numberOfBlocks - first) / static_cast<double>(numberOfBlocks));
-    last = first;
-  }
+        subtrees[i].Box = this->CopySubtree(subtrees[i].Block, points);
+      }
+    });
+  std::size_t next = 0;
+  this->CopyAbove(0, points, subtrees, next);
 }
 
 template <int Dim, typename Real>

@@ -86,6 +86,7 @@ public:
 private:
   struct Nested;
   struct CellBox;
+  struct Subtree;
 
   /** With the coordinates in memory of its own, or in that of others if any, which ends no sooner.
    */
@@ -93,7 +94,12 @@ private:
     const Options& options, const Execution& execution, Buffer<Real> own, Real* others);
 
   void CopyPoints(PointSpan<Dim, Real> points, const Execution& execution);
-  void CopyPointsOf(std::size_t block, PointSpan<Dim, Real> points, Buffer<CellBox>& blockBoxes);
+  void ListSubtrees(std::uint32_t block, std::vector<Subtree>& subtrees) const;
+  CellBox CopySubtree(std::uint32_t block, PointSpan<Dim, Real> points);
+  CellBox CopyAbove(std::uint32_t block, PointSpan<Dim, Real> points,
+    const std::vector<Subtree>& subtrees, std::size_t& next);
+  template <typename GetBox>
+  CellBox CopyBlock(std::uint32_t block, PointSpan<Dim, Real> points, const GetBox& getBox);
   CellBox CopyLeaf(PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint);
   std::size_t FindFirstBlockAt(int depth) const;
   void BuildNested(PointSpan<Dim, Real> points, const Execution& execution);
