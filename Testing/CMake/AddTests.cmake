@@ -98,6 +98,7 @@ function (hashedoctree_add_checks)
       "-DCONFIG=$<CONFIG>" "-DGENERATOR=${CMAKE_GENERATOR}"
       "-DPYTHON=${Python3_EXECUTABLE}" "-DPVPYTHON=$<TARGET_FILE:ParaView::pvpython>"
       "-DPYTHON_DIR=${HASHEDOCTREE_PYTHON_DIR}" "-DPLUGIN=$<TARGET_FILE_NAME:HashedOctree>"
+      "-DNM=${CMAKE_NM}" "-DLIBRARY=${CMAKE_INSTALL_LIBDIR}/$<TARGET_FILE_NAME:HashedOctree::Filters>"
       -P "${CMAKE_CURRENT_SOURCE_DIR}/CMake/CheckInstall.cmake")
     set_tests_properties(CheckInstall PROPERTIES LABELS install TIMEOUT 600)
   endif ()

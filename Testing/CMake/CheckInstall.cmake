@@ -24,6 +24,17 @@ foreach (file IN LISTS files)
   endif ()
 endforeach ()
 
+# What must not leave the library, by its mangled namespace: two versions of the core may be in one program.
+execute_process(COMMAND "${NM}" --dynamic --defined-only "${prefix}/${LIBRARY}"
+  OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
+if (NOT symbols MATCHES "vtkHashedOctreeFilter")
+  message(SEND_ERROR "The library shows none of its classes")
+endif ()
+string(REGEX MATCH "[^ \n]*12hashedoctree[^ \n]*" symbol "${symbols}")
+if (symbol)
+  message(SEND_ERROR "The library shows the core's ${symbol}")
+endif ()
+
 run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${SOURCE_DIR}/Testing/Consumer" -B "${work}/consumer"
   "-DCMAKE_PREFIX_PATH=${prefix}" "-DPython3_EXECUTABLE=${PYTHON}" -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build "${work}/consumer")
