@@ -42,8 +42,9 @@ public:
     PlaceInBlock child;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const bool upper = (octant >> (Dim - 1 - axis) & 1U) != 0;
-      child.Steps[axis] = 2.0 * this->Steps[axis] - (upper ? NumberOfSteps : 0.0);
+      // (A product, since a choice is made by a branch, which nobody could foresee.)
+      const auto upper = static_cast<double>(octant >> (Dim - 1 - axis) & 1U);
+      child.Steps[axis] = 2.0 * this->Steps[axis] - NumberOfSteps * upper;
     }
     child.PerLength2 = 4.0 * this->PerLength2;
     return child;
