@@ -267,6 +267,7 @@ TEST(TestPointSearchFacts, ExaminesFewNodesAmongUniformPoints)
   double forUniform = 0.0;
   double forOne = 0.0;
   double forMany = 0.0;
+  double forBall = 0.0;
   for (std::size_t i = 0; i < 1000; ++i)
   {
     const Position<3> between{ uniform[3 * i], uniform[3 * i + 1], uniform[3 * i + 2] };
@@ -274,12 +275,28 @@ TEST(TestPointSearchFacts, ExaminesFewNodesAmongUniformPoints)
     const Position<3> x{ points[i][0] + 1e-4, points[i][1], points[i][2] };
     forOne += static_cast<double>(search.CountNodesForClosest(x)) / 1000;
     forMany += static_cast<double>(search.CountNodesForClosest(x, 100)) / 1000;
+    forBall += static_cast<double>(search.CountNodesForWithin(x, 0.002)) / 1000;
   }
   std::cout << "nodes " << forUniform << ", near a point " << forOne << ", for the 100 closest "
-            << forMany << "\n";
+            << forMany << ", in a small ball " << forBall << "\n";
   EXPECT_LT(forUniform, 3.7); // 3.8 where what has been searched is searched again.
   EXPECT_LT(forOne, 1.2);     // Most often that is the position's own leaf.
   EXPECT_LT(forMany, 20.0);
+  EXPECT_LT(forBall, 2.0);
+}
+
+TEST(TestPointSearchFacts, BallsFarFromAllPointsExamineNoNode)
+{
+  std::vector<double> coordinates = MakeUniformPoints<3, double>(50000, 165, 0.0, 0.01);
+  coordinates.insert(coordinates.end(), 3, 1.0);
+  const PointSample<3, double> sample{ "corners", coordinates };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, double> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const PointSearch<3, double> search(tree);
+  const Position<3> x{ 0.5, 0.6, 0.4 };
+  EXPECT_EQ(search.CountNodesForWithin(x, 0.3), 0U);
+  EXPECT_GT(search.CountNodesForWithin(x, 0.9), 0U);
+  EXPECT_GT(search.CountNodesForWithin({ 0.005, 0.005, 0.005 }, 1e-9), 0U);
 }
 
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
