@@ -69,21 +69,30 @@ public:
     this->CoverDepth = Key::MaxDepth - CountBits(width);
   }
 
+  /** How far the center is from the nearest face of the cell of a depth around it, or nearest to
+   * it; negative outside. */
+  double GetRoom(int depth) const
+  {
+    const int shift = Key::MaxDepth - depth;
+    const auto side = static_cast<double>(std::uint64_t(1) << shift);
+    double room = side;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      const auto lower = static_cast<double>(this->Home[axis] >> shift << shift);
+      const double toLower = this->Place[axis] - lower;
+      room = std::min(room, std::min(toLower, side - toLower));
+    }
+    return room;
+  }
+
   /** Whether a ball with this radius surely lies in the cell of a depth around the center. Faster
    * than to give the ball the radius, and no more often wrong than rounding asks for, but for balls
    * that reach out of the root. */
   bool FitsInCell(int depth, double radius2) const
   {
-    const int shift = Key::MaxDepth - depth;
-    const auto side = static_cast<double>(std::uint64_t(1) << shift);
-    double margin = side;
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      const auto lower = static_cast<double>(this->Home[axis] >> shift << shift);
-      const double toLower = this->Place[axis] - lower;
-      margin = std::min(margin, std::min(toLower, side - toLower));
-    }
-    margin -= 2.0 * Rounding + RelativeRounding * (side + this->Farthest);
+    const auto side = static_cast<double>(std::uint64_t(1) << (Key::MaxDepth - depth));
+    const double margin =
+      this->GetRoom(depth) - (2.0 * Rounding + RelativeRounding * (side + this->Farthest));
     const double scale = this->CellsPerLength * this->CellsPerLength;
     return margin > 0.0 && IsExact(scale) &&
       (radius2 + Underflow) * scale < margin * margin * (1.0 - RelativeRounding);

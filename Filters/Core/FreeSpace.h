@@ -37,17 +37,9 @@ public:
    * may have none even if not. */
   bool Holds(const BallInGrid<Dim>& ball, double reach) const
   {
-    const int shift = Key::MaxDepth - this->Depth;
-    const auto side = static_cast<double>(std::uint64_t(1) << shift);
-    double room = side; // In the coarse cell of the center.
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      const auto lower = static_cast<double>(ball.GetHome()[axis] >> shift << shift);
-      const double toLower = ball.GetPlace()[axis] - lower;
-      room = std::min(room, std::min(toLower, side - toLower));
-    }
+    const auto side = static_cast<double>(std::uint64_t(1) << (Key::MaxDepth - this->Depth));
     // From outside: the nearest place in the root is no further from any point.
-    room = std::max(room, 0.0);
+    const double room = std::max(ball.GetRoom(this->Depth), 0.0);
     return reach < room + side * (static_cast<double>(this->GetCellsToPoints(ball)) - 1.0);
   }
   /** The same of the coarse cell that its center lies in, or is nearest to. */
