@@ -189,10 +189,11 @@ bool vtkHashedOctreePointLocator::HasSamePoints() const
     return this->BuildTime > this->DataSet->GetMTime();
   }
   // Each query asks, and to ask the cells and all arrays, too, takes as long as finding a point.
-  // Who has not changed since the build still has the parts that it had then.
-  return this->BuildTime > index.PointSet->vtkObject::GetMTime() &&
-    this->BuildTime > index.PointsOfSet->vtkObject::GetMTime() &&
-    this->BuildTime > index.Coordinates->GetMTime();
+  // Who has not changed since the build still has the parts that it had then. Their own times are
+  // read where they stand: three calls would be a fifth of a query that finds nothing.
+  constexpr auto time = &vtkHashedOctreePointLocator::MTime;
+  return this->BuildTime > index.PointSet->*time && this->BuildTime > index.PointsOfSet->*time &&
+    this->BuildTime > index.Coordinates->*time;
 }
 
 void vtkHashedOctreePointLocator::BuildLocator()
