@@ -299,6 +299,17 @@ TEST(TestPointSearchFacts, BallsFarFromAllPointsExamineNoNode)
   EXPECT_GT(search.CountNodesForWithin({ 0.005, 0.005, 0.005 }, 1e-9), 0U);
 }
 
+TEST(TestPointSearchFacts, BoxesExamineTheNodesThatTheirFacesCross)
+{
+  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 166) };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const PointSearch<3, float> search(tree);
+  EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, -1.0 }, { 2.0, 2.0, 2.0 } }), 1U);
+  // All points are in leaves of depth 4: a plane crosses 1, 4, 16 and 64 nodes above them.
+  EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, 0.3 }, { 2.0, 2.0, 0.3 } }), 85U);
+}
+
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
 {
   // Beyond the number that is kept in order all the time.
