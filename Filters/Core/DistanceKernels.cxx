@@ -115,6 +115,16 @@ struct Plain
     }
     return selected;
   }
+  static std::size_t CopySelected(
+    const PointIndex* ids, std::size_t, std::uint64_t selected, PointIndex* to)
+  {
+    std::size_t size = 0;
+    for (; selected != 0; selected &= selected - 1)
+    {
+      to[size++] = ids[__builtin_ctzll(selected)];
+    }
+    return size;
+  }
   template <typename T>
   static unsigned ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
   {
@@ -174,6 +184,62 @@ private:
 };
 
 #if defined(__x86_64__)
+/** For each mask of eight bits, the places of those that are set, in order. */
+struct PlacesOfBits
+{
+  alignas(8) std::uint8_t Places[256][8] = {};
+
+  constexpr PlacesOfBits()
+  {
+    for (unsigned mask = 0; mask < 256; ++mask)
+    {
+      std::size_t size = 0;
+      for (unsigned place = 0; place < 8; ++place)
+      {
+        if ((mask >> place & 1U) != 0)
+        {
+          this->Places[mask][size++] = static_cast<std::uint8_t>(place);
+        }
+      }
+    }
+  }
+};
+
+/** Ids of 32 bits, eight at a time. */
+struct Avx2Ids
+{
+  // No loop over the bits: how often it runs is hard for the machine to foresee.
+  HASHEDOCTREE_WITH_AVX2 static std::size_t CopySelected(
+    const PointIndex* ids, std::size_t count, std::uint64_t selected, PointIndex* to)
+  {
+    PointIndex* end = to;
+    const std::size_t last = (count - 1) / 8 * 8;
+    for (std::size_t i = 0; i < last; i += 8)
+    {
+      const __m256i eight = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(ids + i));
+      end += StoreSelected(eight, static_cast<std::uint8_t>(selected >> i), end);
+    }
+    const __m256i places = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+    const __m256i left = _mm256_set1_epi32(static_cast<int>(count - last));
+    const __m256i some = _mm256_maskload_epi32(
+      reinterpret_cast<const int*>(ids + last), _mm256_cmpgt_epi32(left, places));
+    end += StoreSelected(some, static_cast<std::uint8_t>(selected >> last), end);
+    return static_cast<std::size_t>(end - to);
+  }
+
+private:
+  static constexpr PlacesOfBits Bits{};
+
+  /** Stores eight ids, those whose bits are set first, and returns how many these are. */
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static int StoreSelected(
+    __m256i ids, std::uint8_t selected, PointIndex* to)
+  {
+    const __m256i places = _mm256_cvtepu8_epi32(_mm_loadu_si64(Bits.Places[selected]));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(ids, places));
+    return __builtin_popcount(selected);
+  }
+};
+
 template <int Dim, typename Real>
 struct Avx2
 {
@@ -354,7 +420,7 @@ private:
 
 template <int Dim, typename Real>
 constexpr DistanceKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints,
-  Plain<Dim, Real>::ToPointsWithin, Plain<Dim, Real>::Select,
+  Plain<Dim, Real>::ToPointsWithin, Plain<Dim, Real>::Select, Plain<Dim, Real>::CopySelected,
   Plain<Dim, Real>::template ToBoxes<float>, Plain<Dim, Real>::template ToBoxes<double>,
   Plain<Dim, Real>::ToFarthestCorner };
 
@@ -368,6 +434,10 @@ DistanceKernels<Dim, Real> ChooseKernels()
     kernels.ToPoints = Avx2<Dim, Real>::ToPoints;
     kernels.ToPointsWithin = Avx2<Dim, Real>::ToPointsWithin;
     kernels.Select = Avx2<Dim, Real>::Select;
+    if constexpr (sizeof(PointIndex) == sizeof(std::uint32_t))
+    {
+      kernels.CopySelected = Avx2Ids::CopySelected;
+    }
     if constexpr (Dim == 3)
     {
       kernels.ToBoxes = Avx2Boxes::ToBoxes;

@@ -3,6 +3,7 @@
 #define hashedoctree_DistanceKernels_h
 
 #include "MortonKey.h"
+#include "PointIndex.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +49,11 @@ struct DistanceKernels
 
   /** The same mask, of distances that one of them has written, at least one. */
   std::uint64_t (*Select)(const double* dist2, std::size_t count, double limit);
+
+  /** Copies those of `count` ids, at least one, whose bits are set, in order; returns how many. No
+   * more bits are set than there are ids; `to` has room for MostPoints. */
+  std::size_t (*CopySelected)(
+    const PointIndex* ids, std::size_t count, std::uint64_t selected, PointIndex* to);
 
   ///@{
   /** Squared distances from a place to the boxes of all children, both in steps of the block: never

@@ -5,6 +5,7 @@
 #include "PointSearch.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace hashedoctree
@@ -133,7 +134,7 @@ class AllMeasured
 public:
   static constexpr bool HasFixedBall = true;
   static constexpr bool TakesWholeNodes = false;
-  static constexpr bool TakesWithin = false;
+  static constexpr bool TakesWithin = true;
   static constexpr bool TakesPromises = false;
 
   AllMeasured(double radius2, std::vector<FoundPoint>& found)
@@ -143,14 +144,12 @@ public:
   }
   double GetBound2() const { return this->Radius2; }
   static constexpr bool NeedsIds() { return true; }
-  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
+  void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    for (; within != 0; within &= within - 1)
     {
-      if (dist2[i] <= this->Radius2)
-      {
-        this->Found.push_back({ dist2[i], ids[i] });
-      }
+      const int i = __builtin_ctzll(within);
+      this->Found.push_back({ dist2[i], ids[i] });
     }
   }
 
@@ -165,27 +164,23 @@ class AllWithin
 public:
   static constexpr bool HasFixedBall = true;
   static constexpr bool TakesWholeNodes = true;
-  static constexpr bool TakesWithin = false;
+  static constexpr bool TakesWithin = true;
   static constexpr bool TakesPromises = false;
 
-  AllWithin(double radius2, std::vector<PointIndex>& found)
+  /** `copy` is DistanceKernels::CopySelected. */
+  AllWithin(double radius2, std::vector<PointIndex>& found,
+    std::size_t (*copy)(const PointIndex*, std::size_t, std::uint64_t, PointIndex*))
     : Radius2(radius2)
+    , Copy(copy)
     , Found(found)
   {
   }
   double GetBound2() const { return this->Radius2; }
   static constexpr bool NeedsIds() { return true; }
-  void Add(const double* dist2, double, const PointIndex* ids, std::size_t count)
+  void Add(const double*, std::uint64_t within, const PointIndex* ids, std::size_t count)
   {
-    const std::size_t before = this->Found.size();
-    this->Found.resize(before + count);
-    PointIndex* end = this->Found.data() + before;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      *end = ids[i];
-      end += dist2[i] <= this->Radius2 ? 1 : 0;
-    }
-    this->Found.resize(static_cast<std::size_t>(end - this->Found.data()));
+    std::array<PointIndex, MostAtOnce> some;
+    this->AddAll(some.data(), this->Copy(ids, count, within, some.data()));
   }
   void AddAll(const PointIndex* ids, std::size_t count)
   {
@@ -193,7 +188,10 @@ public:
   }
 
 private:
+  static constexpr std::size_t MostAtOnce = 64; ///< One bit each.
+
   double Radius2;
+  std::size_t (*Copy)(const PointIndex*, std::size_t, std::uint64_t, PointIndex*);
   std::vector<PointIndex>& Found;
 };
 }

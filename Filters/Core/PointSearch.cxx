@@ -57,17 +57,24 @@ void FindClosestPoints(const PointTree<Dim, Real>& tree, const Position<Dim>& x,
   }
 }
 
-/** The points within a radius, by one of the two collectors. */
-template <typename Collector, int Dim, typename Real, typename Found, typename Count>
+/** Hands the points within a radius to a collector. */
+template <typename Collector, int Dim, typename Real, typename Count>
 void FindAllWithin(const PointTree<Dim, Real>& tree, const Position<Dim>& x, double radius,
-  std::vector<Found>& found, Count& nodes)
+  Collector within, Count& nodes)
 {
-  found.clear();
   if (CanFind<Dim, Real>(tree, x) && radius >= 0.0)
   {
-    Collector within(radius * radius, found);
     SearchPoints<Dim, Real>(tree, x, within, nodes, 1);
   }
+}
+
+template <int Dim, typename Real, typename Count>
+void FindAllWithin(const PointTree<Dim, Real>& tree, const Position<Dim>& x, double radius,
+  std::vector<PointIndex>& found, Count& nodes)
+{
+  found.clear();
+  FindAllWithin<AllWithin, Dim, Real>(
+    tree, x, radius, { radius * radius, found, tree.GetKernels().CopySelected }, nodes);
 }
 
 template <int Dim, typename Real, typename Count>
@@ -108,7 +115,8 @@ void PointSearch<Dim, Real>::FindWithin(
   const Position<Dim>& x, double radius, std::vector<FoundPoint>& found) const
 {
   NoCount nodes;
-  FindAllWithin<AllMeasured, Dim, Real>(this->Tree, x, radius, found, nodes);
+  found.clear();
+  FindAllWithin<AllMeasured, Dim, Real>(this->Tree, x, radius, { radius * radius, found }, nodes);
 }
 
 template <int Dim, typename Real>
@@ -116,7 +124,7 @@ void PointSearch<Dim, Real>::FindWithin(
   const Position<Dim>& x, double radius, std::vector<PointIndex>& found) const
 {
   NoCount nodes;
-  FindAllWithin<AllWithin, Dim, Real>(this->Tree, x, radius, found, nodes);
+  FindAllWithin<Dim, Real>(this->Tree, x, radius, found, nodes);
 }
 
 template <int Dim, typename Real>
@@ -151,7 +159,7 @@ std::uint64_t PointSearch<Dim, Real>::CountNodesForWithin(
 {
   NodeCount nodes;
   std::vector<PointIndex> found;
-  FindAllWithin<AllWithin, Dim, Real>(this->Tree, x, radius, found, nodes);
+  FindAllWithin<Dim, Real>(this->Tree, x, radius, found, nodes);
   return nodes.Nodes;
 }
 

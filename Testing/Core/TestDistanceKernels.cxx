@@ -220,6 +220,38 @@ TYPED_TEST(TestDistanceKernels, SelectedAreThoseWithinTheLimit)
   }
 }
 
+TYPED_TEST(TestDistanceKernels, SelectedIdsAreCopiedInOrder)
+{
+  using Kernels = DistanceKernels<TestFixture::Dim, float>;
+  std::mt19937_64 random(135);
+  for (std::size_t count = 1; count <= Kernels::MostPoints; ++count)
+  {
+    // No more memory than for these, which the address sanitizer watches.
+    std::vector<PointIndex> ids(count);
+    std::generate(ids.begin(), ids.end(), [&] { return static_cast<PointIndex>(random()); });
+    const std::uint64_t all = ~std::uint64_t(0) >> (64 - count);
+    for (const std::uint64_t selected : { all, random() & all, random() & random() & all,
+           std::uint64_t(1) << (count - 1), std::uint64_t(0) })
+    {
+      std::vector<PointIndex> expected;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        if ((selected >> i & 1U) != 0)
+        {
+          expected.push_back(ids[i]);
+        }
+      }
+      TestFixture::template ForAllKernels<float>(
+        [&](const Kernels& kernels)
+        {
+          std::vector<PointIndex> copied(Kernels::MostPoints);
+          copied.resize(kernels.CopySelected(ids.data(), count, selected, copied.data()));
+          ASSERT_EQ(copied, expected) << count << " ids";
+        });
+    }
+  }
+}
+
 TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
 {
   constexpr double farthest = DistanceKernels<TestFixture::Dim, float>::FarthestPlace - 128.0;
@@ -282,6 +314,7 @@ TYPED_TEST(TestDistanceKernels, EachIsTheFastestThatTheMachineHas)
   EXPECT_EQ(fastest.ToPoints != plain.ToPoints, HasAvx2());
   EXPECT_EQ(fastest.ToPointsWithin != plain.ToPointsWithin, HasAvx2());
   EXPECT_EQ(fastest.Select != plain.Select, HasAvx2());
+  EXPECT_EQ(fastest.CopySelected != plain.CopySelected, HasAvx2() && sizeof(PointIndex) == 4);
   // Boxes: in space only.
   EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, HasAvx2() && dim == 3);
   EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, HasAvx2() && dim == 3);
