@@ -54,18 +54,18 @@ HASHEDOCTREE_INLINE void ComputeToBoxes(const OfOctants<Dim, T>* lower,
 }
 
 /** Squared distances to the farthest corners of boxes from `lower` to `upper`. */
-template <int Dim>
-HASHEDOCTREE_INLINE void ComputeToFarthest(const OfOctants<Dim, float>* lower,
-  const OfOctants<Dim, float>* upper, const double* steps, OfOctants<Dim, float>& dist2)
+template <int Dim, typename T>
+HASHEDOCTREE_INLINE void ComputeToFarthest(const OfOctants<Dim, T>* lower,
+  const OfOctants<Dim, T>* upper, const double* steps, OfOctants<Dim, T>& dist2)
 {
-  dist2 = OfOctants<Dim, float>{};
+  dist2 = OfOctants<Dim, T>{};
   for (int axis = 0; axis < Dim; ++axis)
   {
-    const auto t = static_cast<float>(steps[axis]);
-    const float slack = GetSlack(t);
-    const OfOctants<Dim, float> fromLower = (t + slack) - lower[axis];
-    const OfOctants<Dim, float> fromUpper = upper[axis] - (t - (slack + 1.0F));
-    const OfOctants<Dim, float> distance = fromLower > fromUpper ? fromLower : fromUpper;
+    const auto t = static_cast<T>(steps[axis]);
+    const T slack = GetSlack(t);
+    const OfOctants<Dim, T> fromLower = (t + slack) - lower[axis];
+    const OfOctants<Dim, T> fromUpper = upper[axis] - (t - (slack + T(1)));
+    const OfOctants<Dim, T> distance = fromLower > fromUpper ? fromLower : fromUpper;
     dist2 += distance * distance;
   }
 }
@@ -145,6 +145,25 @@ struct Plain
     }
     return mask;
   }
+  template <typename T>
+  static unsigned ToWholeBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit)
+  {
+    constexpr std::size_t width = SomeOctants<Dim, T>;
+    unsigned mask = 0;
+    for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
+    {
+      OfOctants<Dim, T> lower[Dim];
+      OfOctants<Dim, T> upper[Dim];
+      Convert<T>(boxes, first, lower, upper);
+      OfOctants<Dim, T> some;
+      ComputeToFarthest<Dim, T>(lower, upper, steps, some);
+      for (std::size_t i = 0; i < width; ++i)
+      {
+        mask |= (some[i] < limit ? 1U : 0U) << (first + i);
+      }
+    }
+    return mask;
+  }
   static float ToFarthestCorner(const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants)
   {
     constexpr std::size_t width = SomeOctants<Dim, float>;
@@ -155,7 +174,7 @@ struct Plain
       OfOctants<Dim, float> upper[Dim];
       Convert<float>(boxes, first, lower, upper);
       OfOctants<Dim, float> some;
-      ComputeToFarthest<Dim>(lower, upper, steps, some);
+      ComputeToFarthest<Dim, float>(lower, upper, steps, some);
       for (std::size_t i = 0; i < width; ++i)
       {
         const bool counts = (octants >> (first + i) & 1U) != 0;
@@ -388,6 +407,17 @@ struct Avx2Boxes
     }
     return mask;
   }
+  HASHEDOCTREE_WITH_AVX2 static unsigned ToWholeBoxes(
+    const ChildBoxes<3>& boxes, const double* steps, float limit)
+  {
+    OfOctants<3, float> lower[3];
+    OfOctants<3, float> upper[3];
+    Convert(boxes, lower, upper);
+    OfOctants<3, float> all;
+    ComputeToFarthest<3, float>(lower, upper, steps, all);
+    const __m256 isWhole = _mm256_cmp_ps(all, _mm256_set1_ps(limit), _CMP_LT_OQ);
+    return static_cast<unsigned>(_mm256_movemask_ps(isWhole));
+  }
   HASHEDOCTREE_WITH_AVX2 static float ToFarthestCorner(
     const ChildBoxes<3>& boxes, const double* steps, unsigned octants)
   {
@@ -395,7 +425,7 @@ struct Avx2Boxes
     OfOctants<3, float> upper[3];
     Convert(boxes, lower, upper);
     OfOctants<3, float> all;
-    ComputeToFarthest<3>(lower, upper, steps, all);
+    ComputeToFarthest<3, float>(lower, upper, steps, all);
     const __m256i bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i chosen = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(octants)), bits);
     all = _mm256_blendv_ps(_mm256_set1_ps(std::numeric_limits<float>::infinity()), all,
@@ -422,6 +452,7 @@ template <int Dim, typename Real>
 constexpr DistanceKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints,
   Plain<Dim, Real>::ToPointsWithin, Plain<Dim, Real>::Select, Plain<Dim, Real>::CopySelected,
   Plain<Dim, Real>::template ToBoxes<float>, Plain<Dim, Real>::template ToBoxes<double>,
+  Plain<Dim, Real>::template ToWholeBoxes<float>, Plain<Dim, Real>::template ToWholeBoxes<double>,
   Plain<Dim, Real>::ToFarthestCorner };
 
 template <int Dim, typename Real>
@@ -442,6 +473,7 @@ DistanceKernels<Dim, Real> ChooseKernels()
     {
       kernels.ToBoxes = Avx2Boxes::ToBoxes;
       kernels.ToBoxesFromAfar = Avx2Boxes::ToBoxesFromAfar;
+      kernels.ToWholeBoxes = Avx2Boxes::ToWholeBoxes;
       kernels.ToFarthestCorner = Avx2Boxes::ToFarthestCorner;
     }
     return kernels;

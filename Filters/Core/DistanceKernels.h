@@ -66,6 +66,14 @@ struct DistanceKernels
     const ChildBoxes<Dim>& boxes, const double* steps, double limit, double* dist2);
   ///@}
 
+  ///@{
+  /** Which children's boxes lie within a squared distance of a place as a whole: the mask of those
+   * whose farthest corner is nearer than `limit`. Places as those of ToBoxes(); corners are never
+   * taken for nearer than they are, but for a factor of (1 + BoxError). */
+  unsigned (*ToWholeBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit);
+  unsigned (*ToWholeBoxesFromAfar)(const ChildBoxes<Dim>& boxes, const double* steps, double limit);
+  ///@}
+
   /** The least squared distance from a place to the farthest corner of a box, of the boxes of some
    * children: no box has its points further away. Infinite where there are none. The place is as
    * near as ToBoxes() asks for; never less than the true one, but for a factor of (1 + BoxError).

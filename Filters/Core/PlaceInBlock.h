@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace hashedoctree
 {
@@ -105,28 +106,26 @@ public:
     return static_cast<double>(dist2) * Room<float> / this->PerLength2;
   }
 
-  /** Squared distance to the farthest corner of a child's box, rounded up. */
-  double GetFarthest2(const ChildBoxes<Dim>& boxes, unsigned octant) const
+  /** The mask of the children whose boxes surely lie within the squared reach as a whole. In float
+   * only from near. */
+  template <typename T>
+  unsigned GetWhole(
+    const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes, double reach2) const
   {
-    double sum = 0.0;
-    for (int axis = 0; axis < Dim; ++axis)
+    constexpr double shrink = 1.0 / Room<T>;
+    const auto limit = static_cast<T>(reach2 * shrink);
+    if constexpr (std::is_same_v<T, float>)
     {
-      const double t = this->Steps[axis];
-      const double toLower = t - boxes.Lower[axis][octant];
-      const double toUpper = boxes.Upper[axis][octant] + 1.0 - t;
-      const double distance = std::max(toLower, toUpper) + Slack + FarError * std::abs(t);
-      sum += distance * distance;
+      return kernels.ToWholeBoxes(boxes, this->Steps.data(), limit);
     }
-    return sum;
+    else
+    {
+      return kernels.ToWholeBoxesFromAfar(boxes, this->Steps.data(), limit);
+    }
   }
 
 private:
   PlaceInBlock() = default;
-
-  /** More than rounding does to the distance of a farthest corner, near and relative to the place.
-   */
-  static constexpr double Slack = 1e-3;
-  static constexpr double FarError = 1e-9;
 
   static constexpr double NumberOfSteps = ChildBoxes<Dim>::Steps;
   static constexpr double Far = 64.0 * NumberOfSteps;

@@ -130,6 +130,8 @@ private:
   static constexpr unsigned NumberOfOctants = Octree<Dim>::NumberOfOctants;
   static constexpr PointIndex NoPoint = ~PointIndex(0);
   static constexpr std::uint32_t NoBlock = ~std::uint32_t(0);
+  /** Balls that reach less far than half a child's side, squared, seldom hold one. */
+  static constexpr double LeastToHoldNodes2 = 64.0 * 64.0;
 
   Place GetPlace(const Cell<Dim>& inside, int depth) const
   {
@@ -167,7 +169,7 @@ private:
     unsigned left = octants.Occupied & this->Measure(number, place, dist2);
     if constexpr (Collector::TakesWholeNodes)
     {
-      left = this->TakeWholeNodes(number, place, left);
+      left = this->template TakeWholeNodes<T>(number, place, left);
     }
     if constexpr (Collector::TakesPromises && std::is_same_v<T, float>)
     {
@@ -231,26 +233,25 @@ private:
   }
 
   /** Hands over the points of the children that lie in the ball as a whole; returns the others. */
+  template <typename T>
   unsigned TakeWholeNodes(std::uint32_t number, const Place& place, unsigned octants)
   {
     // Where squares are not exact, points are looked at one by one.
     const double reach2 = this->GetReach2(place);
-    if (!(place.IsExact() && reach2 > 1.0))
+    if (!(place.IsExact() && reach2 > LeastToHoldNodes2))
     {
       return octants;
     }
     const Block& block = this->Tree.GetOctree().GetBlock(number);
-    for (unsigned rest = octants; rest != 0; rest &= rest - 1)
+    const unsigned whole = octants &
+      place.template GetWhole<T>(this->Tree.GetKernels(), this->Tree.GetChildBoxes(number), reach2);
+    for (unsigned rest = whole; rest != 0; rest &= rest - 1)
     {
       const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
-      if (place.GetFarthest2(this->Tree.GetChildBoxes(number), octant) < reach2)
-      {
-        const PointIndex first = block.FirstPoint[octant];
-        this->Points.AddAll(this->Tree.GetIds() + first, block.FirstPoint[octant + 1] - first);
-        octants &= ~(1U << octant);
-      }
+      const PointIndex first = block.FirstPoint[octant];
+      this->Points.AddAll(this->Tree.GetIds() + first, block.FirstPoint[octant + 1] - first);
     }
-    return octants;
+    return octants & ~whole;
   }
 
   const PointTree<Dim, Real>& Tree;

@@ -53,6 +53,54 @@ protected:
     return kernels.ToBoxesFromAfar(boxes, steps, limit, dist2);
   }
 
+  static unsigned GetWhole(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
+    const double* steps, float limit)
+  {
+    return kernels.ToWholeBoxes(boxes, steps, limit);
+  }
+  static unsigned GetWhole(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
+    const double* steps, double limit)
+  {
+    return kernels.ToWholeBoxesFromAfar(boxes, steps, limit);
+  }
+
+  /** Looks for whole boxes from places at most `reach` steps from the middle of a block: a box that
+   * is one has its farthest corner within the limit, and one that has it well within is one. */
+  template <typename T>
+  static void ExpectWholeBoxes(double reach)
+  {
+    std::mt19937 random(136);
+    std::uniform_real_distribution<double> uniform(128.0 - reach, 128.0 + reach);
+    constexpr double error = DistanceKernels<Dim, float>::template BoxError<T>;
+    for (int trial = 0; trial < 200; ++trial)
+    {
+      const ChildBoxes<Dim> boxes = MakeBoxes(random);
+      double steps[Dim];
+      std::generate_n(steps, Dim, [&] { return uniform(random); });
+      const double some2 = GetFarthest2(boxes, random() % Octants, steps);
+      for (const double factor : { 0.9, 1.0, 1.1, double(INFINITY) })
+      {
+        const auto limit = static_cast<T>(some2 * factor);
+        ForAllKernels<float>(
+          [&](const DistanceKernels<Dim, float>& kernels)
+          {
+            const unsigned whole = GetWhole(kernels, boxes, steps, limit);
+            for (unsigned octant = 0; octant < Octants; ++octant)
+            {
+              const double farthest2 = GetFarthest2(boxes, octant, steps);
+              const double room = sizeof(T) == sizeof(float) ? 0.02 : 0.002 + 1e-14 * reach;
+              const double well2 =
+                farthest2 * (1.0 + 4.0 * error) + 2.0 * Dim * room * (std::sqrt(farthest2) + room);
+              const bool isWhole = (whole >> octant & 1U) != 0;
+              ASSERT_TRUE(!isWhole || farthest2 <= limit * (1.0 + error)) << octant;
+              ASSERT_TRUE(isWhole || well2 >= limit) << octant;
+            }
+            ASSERT_EQ(whole >> Octants, 0U);
+          });
+      }
+    }
+  }
+
   /** Measures from places at most `reach` steps from the middle of a block. */
   template <typename T>
   static void ExpectBoxDistances(double reach)
@@ -300,6 +348,21 @@ TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
   }
 }
 
+TYPED_TEST(TestDistanceKernels, WholeBoxesAreWithinTheLimit)
+{
+  constexpr double farthest = DistanceKernels<TestFixture::Dim, float>::FarthestPlace - 128.0;
+  for (const double reach : { 1.0, 300.0, 1e4, farthest })
+  {
+    SCOPED_TRACE(reach);
+    TestFixture::template ExpectWholeBoxes<float>(reach);
+  }
+  for (const double reach : { 1.0, 300.0, farthest, 1e9, 1e15, 1e30 })
+  {
+    SCOPED_TRACE(reach);
+    TestFixture::template ExpectWholeBoxes<double>(reach);
+  }
+}
+
 TYPED_TEST(TestDistanceKernels, NothingIsLeftOutWhereTheLimitIsNoNumber)
 {
   TestFixture::template ExpectAllWhereTheLimitIsNoNumber<float>();
@@ -318,5 +381,6 @@ TYPED_TEST(TestDistanceKernels, EachIsTheFastestThatTheMachineHas)
   // Boxes: in space only.
   EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, HasAvx2() && dim == 3);
   EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, HasAvx2() && dim == 3);
+  EXPECT_EQ(fastest.ToWholeBoxes != plain.ToWholeBoxes, HasAvx2() && dim == 3);
   EXPECT_EQ(fastest.ToFarthestCorner != plain.ToFarthestCorner, HasAvx2() && dim == 3);
 }

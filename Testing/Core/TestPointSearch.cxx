@@ -299,6 +299,26 @@ TEST(TestPointSearchFacts, BallsFarFromAllPointsExamineNoNode)
   EXPECT_GT(search.CountNodesForWithin({ 0.005, 0.005, 0.005 }, 1e-9), 0U);
 }
 
+TEST(TestPointSearchFacts, BallsTakeWholeNodesAsTheyAre)
+{
+  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 167) };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const PointSearch<3, float> search(tree);
+  std::vector<PointIndex> found;
+  for (const double away : { 0.5, 3.0, 1e3, 1e6 })
+  {
+    for (const double radius : { 2.0 * away + 1.0, double(INFINITY) })
+    {
+      const Position<3> x{ away, away, away };
+      // The root, once the leaf of the position is found.
+      EXPECT_LT(search.CountNodesForWithin(x, radius), 7U) << away << ' ' << radius;
+      search.FindWithin(x, radius, found);
+      EXPECT_EQ(found.size(), 50000U);
+    }
+  }
+}
+
 TEST(TestPointSearchFacts, BoxesExamineTheNodesThatTheirFacesCross)
 {
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 166) };
