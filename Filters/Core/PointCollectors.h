@@ -5,7 +5,6 @@
 #include "PointSearch.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace hashedoctree
@@ -179,8 +178,9 @@ public:
   static constexpr bool NeedsIds() { return true; }
   void Add(const double*, std::uint64_t within, const PointIndex* ids, std::size_t count)
   {
-    std::array<PointIndex, MostAtOnce> some;
-    this->AddAll(some.data(), this->Copy(ids, count, within, some.data()));
+    const std::size_t before = this->Found.size();
+    this->Found.resize(before + MostAtOnce);
+    this->Found.resize(before + this->Copy(ids, count, within, this->Found.data() + before));
   }
   void AddAll(const PointIndex* ids, std::size_t count)
   {
