@@ -128,75 +128,59 @@ struct Plain
   template <typename T>
   static unsigned ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
   {
-    constexpr std::size_t width = SomeOctants<Dim, T>;
     unsigned mask = 0;
-    for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
-    {
-      OfOctants<Dim, T> lower[Dim];
-      OfOctants<Dim, T> upper[Dim];
-      Convert<T>(boxes, first, lower, upper);
-      OfOctants<Dim, T> some;
-      ComputeToBoxes<Dim, T>(lower, upper, steps, some);
-      for (std::size_t i = 0; i < width; ++i)
+    ForOctants<T>(boxes, steps, ComputeToBoxes<Dim, T>,
+      [&](unsigned octant, T here)
       {
-        dist2[first + i] = some[i];
-        mask |= (some[i] > limit ? 0U : 1U) << (first + i);
-      }
-    }
+        dist2[octant] = here;
+        mask |= (here > limit ? 0U : 1U) << octant;
+      });
     return mask;
   }
   template <typename T>
   static unsigned ToWholeBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit)
   {
-    constexpr std::size_t width = SomeOctants<Dim, T>;
     unsigned mask = 0;
-    for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
-    {
-      OfOctants<Dim, T> lower[Dim];
-      OfOctants<Dim, T> upper[Dim];
-      Convert<T>(boxes, first, lower, upper);
-      OfOctants<Dim, T> some;
-      ComputeToFarthest<Dim, T>(lower, upper, steps, some);
-      for (std::size_t i = 0; i < width; ++i)
-      {
-        mask |= (some[i] < limit ? 1U : 0U) << (first + i);
-      }
-    }
+    ForOctants<T>(boxes, steps, ComputeToFarthest<Dim, T>,
+      [&](unsigned octant, T here) { mask |= (here < limit ? 1U : 0U) << octant; });
     return mask;
   }
   static float ToFarthestCorner(const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants)
   {
-    constexpr std::size_t width = SomeOctants<Dim, float>;
     float least = std::numeric_limits<float>::infinity();
-    for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
-    {
-      OfOctants<Dim, float> lower[Dim];
-      OfOctants<Dim, float> upper[Dim];
-      Convert<float>(boxes, first, lower, upper);
-      OfOctants<Dim, float> some;
-      ComputeToFarthest<Dim, float>(lower, upper, steps, some);
-      for (std::size_t i = 0; i < width; ++i)
+    ForOctants<float>(boxes, steps, ComputeToFarthest<Dim, float>,
+      [&](unsigned octant, float here)
       {
-        const bool counts = (octants >> (first + i) & 1U) != 0;
-        least = counts && some[i] < least ? some[i] : least;
-      }
-    }
+        const bool counts = (octants >> octant & 1U) != 0;
+        least = counts && here < least ? here : least;
+      });
     return least;
   }
 
 private:
-  /** The boxes of the octants from `first` on. */
-  template <typename T>
-  static void Convert(const ChildBoxes<Dim>& boxes, std::size_t first, OfOctants<Dim, T>* lower,
-    OfOctants<Dim, T>* upper)
+  /** Calls function(octant, dist2) for the box of each octant. */
+  template <typename T, typename Compute, typename Function>
+  static void ForOctants(const ChildBoxes<Dim>& boxes, const double* steps, const Compute& compute,
+    const Function& function)
   {
     constexpr std::size_t width = SomeOctants<Dim, T>;
-    for (int axis = 0; axis < Dim; ++axis)
+    for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
     {
+      OfOctants<Dim, T> lower[Dim];
+      OfOctants<Dim, T> upper[Dim];
+      for (int axis = 0; axis < Dim; ++axis)
+      {
+        for (std::size_t i = 0; i < width; ++i)
+        {
+          lower[axis][i] = boxes.Lower[axis][first + i];
+          upper[axis][i] = boxes.Upper[axis][first + i];
+        }
+      }
+      OfOctants<Dim, T> some;
+      compute(lower, upper, steps, some);
       for (std::size_t i = 0; i < width; ++i)
       {
-        lower[axis][i] = boxes.Lower[axis][first + i];
-        upper[axis][i] = boxes.Upper[axis][first + i];
+        function(static_cast<unsigned>(first + i), some[i]);
       }
     }
   }
@@ -410,22 +394,14 @@ struct Avx2Boxes
   HASHEDOCTREE_WITH_AVX2 static unsigned ToWholeBoxes(
     const ChildBoxes<3>& boxes, const double* steps, float limit)
   {
-    OfOctants<3, float> lower[3];
-    OfOctants<3, float> upper[3];
-    Convert(boxes, lower, upper);
-    OfOctants<3, float> all;
-    ComputeToFarthest<3, float>(lower, upper, steps, all);
-    const __m256 isWhole = _mm256_cmp_ps(all, _mm256_set1_ps(limit), _CMP_LT_OQ);
+    const __m256 isWhole =
+      _mm256_cmp_ps(MeasureFarthest(boxes, steps), _mm256_set1_ps(limit), _CMP_LT_OQ);
     return static_cast<unsigned>(_mm256_movemask_ps(isWhole));
   }
   HASHEDOCTREE_WITH_AVX2 static float ToFarthestCorner(
     const ChildBoxes<3>& boxes, const double* steps, unsigned octants)
   {
-    OfOctants<3, float> lower[3];
-    OfOctants<3, float> upper[3];
-    Convert(boxes, lower, upper);
-    OfOctants<3, float> all;
-    ComputeToFarthest<3, float>(lower, upper, steps, all);
+    __m256 all = MeasureFarthest(boxes, steps);
     const __m256i bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i chosen = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(octants)), bits);
     all = _mm256_blendv_ps(_mm256_set1_ps(std::numeric_limits<float>::infinity()), all,
@@ -436,6 +412,17 @@ struct Avx2Boxes
   }
 
 private:
+  /** Squared distances to the farthest corners. */
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static __m256 MeasureFarthest(
+    const ChildBoxes<3>& boxes, const double* steps)
+  {
+    OfOctants<3, float> lower[3];
+    OfOctants<3, float> upper[3];
+    Convert(boxes, lower, upper);
+    OfOctants<3, float> all;
+    ComputeToFarthest<3, float>(lower, upper, steps, all);
+    return all;
+  }
   HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static void Convert(
     const ChildBoxes<3>& boxes, OfOctants<3, float>* lower, OfOctants<3, float>* upper)
   {

@@ -130,8 +130,9 @@ private:
   static constexpr unsigned NumberOfOctants = Octree<Dim>::NumberOfOctants;
   static constexpr PointIndex NoPoint = ~PointIndex(0);
   static constexpr std::uint32_t NoBlock = ~std::uint32_t(0);
-  /** Balls that reach less far than half a child's side, squared, seldom hold one. */
-  static constexpr double LeastToHoldNodes2 = 64.0 * 64.0;
+  /** Balls that reach less far than half a child's side seldom hold one. Squared, in steps. */
+  static constexpr double LeastToHoldNodes2 =
+    ChildBoxes<Dim>::Steps * ChildBoxes<Dim>::Steps / 16.0;
 
   Place GetPlace(const Cell<Dim>& inside, int depth) const
   {

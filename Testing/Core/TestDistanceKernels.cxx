@@ -42,6 +42,23 @@ protected:
     }
   }
 
+  /** Calls both with how far places lie from the middle of a block: near enough for float, and
+   * anywhere. */
+  static void ForReaches(void (*withFloat)(double), void (*withDouble)(double))
+  {
+    constexpr double farthest = DistanceKernels<Dim, float>::FarthestPlace - 128.0;
+    for (const double reach : { 1.0, 300.0, 1e4, farthest })
+    {
+      SCOPED_TRACE(reach);
+      withFloat(reach);
+    }
+    for (const double reach : { 1.0, 300.0, farthest, 1e9, 1e15, 1e30 })
+    {
+      SCOPED_TRACE(reach);
+      withDouble(reach);
+    }
+  }
+
   static unsigned Measure(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
     const double* steps, float limit, float* dist2)
   {
@@ -302,17 +319,8 @@ TYPED_TEST(TestDistanceKernels, SelectedIdsAreCopiedInOrder)
 
 TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
 {
-  constexpr double farthest = DistanceKernels<TestFixture::Dim, float>::FarthestPlace - 128.0;
-  for (const double reach : { 1.0, 300.0, 1e4, farthest })
-  {
-    SCOPED_TRACE(reach);
-    TestFixture::template ExpectBoxDistances<float>(reach);
-  }
-  for (const double reach : { 1.0, 300.0, farthest, 1e9, 1e15, 1e30 })
-  {
-    SCOPED_TRACE(reach);
-    TestFixture::template ExpectBoxDistances<double>(reach);
-  }
+  TestFixture::ForReaches(TestFixture::template ExpectBoxDistances<float>,
+    TestFixture::template ExpectBoxDistances<double>);
 }
 
 TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
@@ -350,17 +358,8 @@ TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
 
 TYPED_TEST(TestDistanceKernels, WholeBoxesAreWithinTheLimit)
 {
-  constexpr double farthest = DistanceKernels<TestFixture::Dim, float>::FarthestPlace - 128.0;
-  for (const double reach : { 1.0, 300.0, 1e4, farthest })
-  {
-    SCOPED_TRACE(reach);
-    TestFixture::template ExpectWholeBoxes<float>(reach);
-  }
-  for (const double reach : { 1.0, 300.0, farthest, 1e9, 1e15, 1e30 })
-  {
-    SCOPED_TRACE(reach);
-    TestFixture::template ExpectWholeBoxes<double>(reach);
-  }
+  TestFixture::ForReaches(
+    TestFixture::template ExpectWholeBoxes<float>, TestFixture::template ExpectWholeBoxes<double>);
 }
 
 TYPED_TEST(TestDistanceKernels, NothingIsLeftOutWhereTheLimitIsNoNumber)
