@@ -15,11 +15,12 @@ namespace
 {
 constexpr int MostDigitBits = 9; // 512 counters stay in the first cache.
 constexpr std::size_t MostDigits = std::size_t(1) << MostDigitBits;
-constexpr std::size_t InsertionLimit = 32; // Up to here insertion beats counting digits.
-constexpr std::size_t SerialLimit = 32768; // Up to here one thread sorts a node on its own,
-constexpr std::size_t SerialShare = 16;    // and up to this part of all points.
-constexpr std::size_t ChunkSize = 16384;   // Points that a thread partitions at a time.
-constexpr PointIndex PlacesAhead = 8;      // Places of a digit that are on the way.
+constexpr std::size_t InsertionLimit = 32;        // Up to here insertion beats counting digits.
+constexpr std::size_t SerialLimit = 32768;        // Up to here one thread sorts a node on its own,
+constexpr std::size_t SerialShare = 16;           // and up to this part of all points.
+constexpr std::size_t ChunkSize = 16384;          // Points that a thread partitions at a time.
+constexpr PointIndex PlacesAhead = 8;             // Places of a digit that are on the way,
+constexpr std::ptrdiff_t MostInFirstCache = 1024; // with more points than these.
 
 using DigitCounts = std::array<PointIndex, MostDigits>;
 
@@ -152,27 +153,60 @@ private:
     const std::size_t firstDigit = digit.Of(from[0]);
     if (starts[firstDigit + 1] - starts[firstDigit] == count)
     {
-      rest.push_back(Range{ range.First, range.Last, range.Depth + depths, range.InScratch });
+      rest.push_back(
+        Range{ range.First, range.Last, this->FindCommonDepth(from, count), range.InScratch });
       return;
     }
 
     Point* to = this->Data(!range.InScratch) + range.First;
     this->ForChunks(count,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
-      {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          const PointIndex place = offsets[chunk][digit.Of(from[i])]++;
-          to[place] = from[i];
-          __builtin_prefetch(&to[place + PlacesAhead], 1);
-        }
-      });
+      { Scatter(from + first, from + last, digit, offsets[chunk], to); });
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
       if (starts[place] != starts[place + 1])
       {
         rest.push_back(Range{ range.First + starts[place], range.First + starts[place + 1],
           range.Depth + depths, !range.InScratch });
+      }
+    }
+  }
+
+  /** The depth of the deepest node that holds all of some points. */
+  int FindCommonDepth(const Point* points, std::size_t count)
+  {
+    const MortonKey<Dim> key = points[0].GetKey();
+    std::vector<std::uint64_t> differences(Execution::GetNumberOfChunks(count, ChunkSize));
+    this->ForChunks(count,
+      [&](std::size_t chunk, std::size_t first, std::size_t last)
+      {
+        std::uint64_t here = 0;
+        for (std::size_t i = first; i < last; ++i)
+        {
+          here |= points[i].GetKey().GetValue() ^ key.GetValue();
+        }
+        differences[chunk] = here;
+      });
+    std::uint64_t all = 0;
+    for (const std::uint64_t difference : differences)
+    {
+      all |= difference;
+    }
+    return MortonKey<Dim>::GetCommonDepth(key, MortonKey<Dim>(key.GetValue() ^ all));
+  }
+
+  /** Copies points to the places of their digits, which move on. */
+  static void Scatter(
+    const Point* from, const Point* end, const Digit<Dim>& digit, DigitCounts& places, Point* to)
+  {
+    const bool asksAhead = end - from > MostInFirstCache;
+    for (; from != end; ++from)
+    {
+      const PointIndex place = places[digit.Of(*from)]++;
+      to[place] = *from;
+      if (asksAhead)
+      {
+        __builtin_prefetch(&to[place + PlacesAhead], 1);
       }
     }
   }
@@ -257,10 +291,7 @@ private:
       sum += std::exchange(offsets[place], sum);
     }
     const double below = std::max(1.0, std::log2(occupied) / depths);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      other[offsets[digit.Of(from[i])]++] = from[i];
-    }
+    Scatter(from, from + count, digit, offsets, other);
     PointIndex first = 0;
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {

@@ -16,7 +16,8 @@ namespace hashedoctree
  * MortonKey::MaxDepth, all points stand by key, then by id.
  *
  * A radix partition from the root downwards, several depths at a time: depths that do not part the
- * points of a node cost one pass of reading, and nodes of a few points are sorted by insertion.
+ * points of a node cost one pass of reading, of a large node all of them together one more, and
+ * nodes of a few points are sorted by insertion.
  * O(n) for n points; uses a second array of the same size, which is in the spare memory if that is
  * large enough. Throws Interrupted; the points are then in no particular order.
  */

@@ -8,8 +8,9 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t MostPointsOfTask = 16384; // That a thread copies at a time.
-constexpr std::size_t PointsAhead = 16;         // Points that are on the way from the input.
+constexpr std::size_t MostPointsOfTask = 16384;  // That a thread copies at a time.
+constexpr std::size_t PointsAhead = 64;          // Points that are on the way from the input,
+constexpr std::size_t MostInSecondCache = 65536; // when it has more points than these.
 
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
 template <int Dim>
@@ -28,6 +29,22 @@ std::uint8_t GetLastStep(std::uint32_t cell, int depth)
   const int shift = MortonKey<Dim>::MaxDepth - depth;
   const std::uint64_t within = (cell & ((std::uint64_t(1) << shift) - 1)) + 1;
   return static_cast<std::uint8_t>((within * ChildBoxes<Dim>::Steps - 1) >> shift);
+}
+
+/** Asks the machine to load points of the input, which may lie in two lines of the cache each. Into
+ * the second cache, which can wait for more of them at a time than the first. (Inline for the
+ * reason of NodeTable::Prefetch().) */
+template <int Dim, typename Real>
+[[gnu::always_inline]] inline void Prefetch(
+  PointSpan<Dim, Real> points, const PointIndex* ids, const PointIndex* end)
+{
+  constexpr int intoSecondCache = 2;
+  for (; ids < end; ++ids)
+  {
+    const Real* x = points[*ids];
+    __builtin_prefetch(x, 0, intoSecondCache);
+    __builtin_prefetch(x + Dim - 1, 0, intoSecondCache);
+  }
 }
 
 template <int Dim, typename Real>
@@ -118,7 +135,12 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint)
 {
   const std::size_t count = lastPoint - firstPoint;
-  const std::size_t end = this->GetNumberOfPoints() - 1;
+  const std::size_t end = this->GetNumberOfPoints();
+  if (end > MostInSecondCache)
+  {
+    Prefetch(points, this->Ids + std::min(firstPoint + PointsAhead, end),
+      this->Ids + std::min(lastPoint + PointsAhead, end));
+  }
   Real* leaf = this->Coordinates + Dim * static_cast<std::size_t>(firstPoint);
   std::array<Real, Dim> lower;
   std::array<Real, Dim> upper;
@@ -127,7 +149,6 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   for (std::size_t i = 0; i < count; ++i)
   {
     const Real* x = points[this->Ids[firstPoint + i]];
-    __builtin_prefetch(points[this->Ids[std::min(firstPoint + i + PointsAhead, end)]]);
     for (std::size_t axis = 0; axis < Dim; ++axis)
     {
       leaf[axis * count + i] = x[axis];

@@ -131,7 +131,7 @@ TYPED_TEST(TestMortonOrder, SortsManyPointsOnAnyThreads)
   const PointSample<dim, double> uniform{ "uniform", MakeUniformPoints<dim, double>(count, 51) };
   const PointSample<dim, double> clusters{ "clusters",
     MakeClusteredPoints<dim, double>(count, 52) };
-  // All but one point in the last digit's cells, so that every digit is looked at.
+  // All but one point in the last digit's cells, far below the first node that holds them all.
   PointSample<dim, double> outlier{ "outlier", MakeUniformPoints<dim, double>(count, 53) };
   for (double& coordinate : outlier.Coordinates)
   {
