@@ -2,7 +2,9 @@
 #include "PointSearch.h"
 
 #include "BruteForceSearch.h"
+#include "PointQuery.h"
 #include "PointSearchInput.h"
+#include "TreeProperties.h"
 
 #include <cstdlib>
 #include <iostream>

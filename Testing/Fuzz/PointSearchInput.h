@@ -2,64 +2,15 @@
 #ifndef Testing_Fuzz_PointSearchInput_h
 #define Testing_Fuzz_PointSearchInput_h
 
-#include "DepthStatistics.h"
+#include "BorderNumbers.h"
 #include "FuzzBytes.h"
-#include "PointSelection.h"
+#include "PointQuery.h"
 
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
-
-/** What a tree is made with, apart from its points. */
-struct TreeProperties
-{
-  std::size_t MaxPointsPerLeaf;
-  int MaxDepth;
-  hashedoctree::StartDepthOptions StartDepths;
-
-  explicit TreeProperties(FuzzBytes& bytes)
-  {
-    constexpr std::size_t buckets[] = { 1, 2, 3, 4, 8, 16, 40, 100 };
-    constexpr unsigned depths = hashedoctree::MortonKey<3>::MaxDepth + 1;
-    this->MaxPointsPerLeaf = buckets[bytes.ReadByte() % std::size(buckets)];
-    const unsigned depth = bytes.ReadByte(); // Mostly the default.
-    this->MaxDepth = static_cast<int>(depth < 128 ? depths - 1 : depth % depths);
-    const unsigned start = bytes.ReadByte();
-    this->StartDepths = { static_cast<hashedoctree::StartDepthModel>(start % 5),
-      static_cast<hashedoctree::FrequencyModel>(start / 5 % 3),
-      static_cast<int>(start / 5 % depths) };
-  }
-};
-
-/** What is searched for. */
-struct PointQuery
-{
-  enum Kinds
-  {
-    Closest,
-    ClosestWithin,
-    ClosestFew,
-    Within,
-    InBox
-  };
-  enum Radii
-  {
-    Given,
-    OfNeighbor, ///< The distance of a neighbor, exactly.
-    BelowNeighbor,
-    AboveNeighbor
-  };
-
-  Kinds Kind;
-  hashedoctree::Position<3> X;
-  hashedoctree::Position<3> Upper; ///< Of a box from X.
-  std::size_t Count;
-  Radii RadiusKind;
-  double Radius;        ///< Where it is given.
-  std::size_t Neighbor; ///< Which, by distance and modulo their number, where it is not.
-};
 
 /**
  * Points and queries, made from bytes of any kind. They are a list of steps: the low half of a byte
@@ -364,28 +315,6 @@ private:
     return x > most ? Limits::infinity()
       : x < -most   ? -Limits::infinity()
                     : static_cast<Coordinate>(x);
-  }
-
-  static double GetScale(unsigned i)
-  {
-    constexpr double scales[] = { 1.0, 0.1, 0x1p-21, 0x1p-22, 0x1p-30, 1e-9, 1e-15, 1e-30, 1e-160,
-      1e-310, 1e3, 1e6, 1e15, 1e30, 1e150, 1e300 };
-    return scales[i % std::size(scales)];
-  }
-
-  static double GetOffset(unsigned i)
-  {
-    constexpr double offsets[] = { 0.0, 1.0, -1.0, 0.1, 1e6, -1e6, 1e15, 1e150 };
-    return offsets[i % std::size(offsets)];
-  }
-
-  static double GetSpecial(unsigned i)
-  {
-    using Limits = std::numeric_limits<double>;
-    constexpr double specials[] = { Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
-      Limits::max(), -Limits::max(), Limits::max() / 2, Limits::max() / 4, -Limits::max() / 4,
-      1e154, 1e-154, Limits::min(), Limits::denorm_min(), -Limits::denorm_min(), 0.0, -0.0, -1.0 };
-    return specials[i % std::size(specials)];
   }
 
   FuzzBytes& Bytes;

@@ -8,7 +8,7 @@ ONE_PER_LEAF, FOUR_PER_LEAF = 0, 3
 DEEPEST = 0
 MEDIAN, ROOT = 0, 2
 
-# The scales, offsets and border cases are numbered as in PointSearchInput.h.
+# The scales, offsets and border cases are numbered as in BorderNumbers.h.
 TO_MINUS_30, NANO, THOUSAND = 4, 5, 10
 MILLION = 4
 NOT_A_NUMBER, INFINITE, GREATEST, QUARTER_OF_GREATEST, LEAST_NORMAL = 0, 1, 3, 6, 10
