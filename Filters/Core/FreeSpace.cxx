@@ -44,13 +44,15 @@ typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
       break;
     }
     const auto octants = tree.GetOctants(block);
-    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+    if (depths == 1)
     {
-      const bool isLeaf = (octants.Internal >> octant & 1U) == 0;
-      if ((octants.Occupied >> octant & 1U) == 0 || (!isLeaf && depths > 1))
-      {
-        continue;
-      }
+      this->AddChildren(key.GetCell(), octants.Occupied, cells);
+      continue;
+    }
+    const unsigned leaves = octants.Occupied & ~unsigned(octants.Internal);
+    for (unsigned rest = leaves; rest != 0; rest &= rest - 1)
+    {
+      const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
       Cell<Dim> lower = key.GetCell();
       Cell<Dim> upper = lower;
       for (int axis = 0; axis < Dim; ++axis)
@@ -65,6 +67,22 @@ typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
     }
   }
   return cells;
+}
+
+/** Adds those children of a node that some bits tell, where they are coarse cells themselves: two
+ * at a time, which are side by side in a row. */
+template <int Dim>
+void FreeSpace<Dim>::AddChildren(const Cell<Dim>& node, unsigned octants, CellSet& cells) const
+{
+  for (unsigned pair = 0; pair < Octree<Dim>::NumberOfOctants / 2; ++pair)
+  {
+    std::size_t row = 0;
+    for (int axis = 0; axis < Dim - 1; ++axis)
+    {
+      row = row << this->Depth | (2 * node[axis] + (pair >> (Dim - 2 - axis) & 1U));
+    }
+    cells[row] |= std::uint64_t(octants >> 2 * pair & 3U) << 2 * node[Dim - 1];
+  }
 }
 
 /** Adds the cells between two corners, both of them included. */

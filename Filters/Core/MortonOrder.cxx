@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -136,19 +137,27 @@ private:
         }
       });
 
+    DigitCounts next{};
+    for (const DigitCounts& chunk : offsets)
+    {
+      std::transform(
+        chunk.begin(), chunk.begin() + digit.GetCount(), next.begin(), next.begin(), std::plus<>());
+    }
     std::array<std::size_t, MostDigits + 1> starts;
     PointIndex sum = 0;
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
       starts[place] = sum;
-      for (DigitCounts& chunk : offsets)
-      {
-        const PointIndex here = chunk[place];
-        chunk[place] = sum;
-        sum += here;
-      }
+      sum += std::exchange(next[place], sum);
     }
     starts[digit.GetCount()] = count;
+    for (DigitCounts& chunk : offsets)
+    {
+      for (std::size_t place = 0; place < digit.GetCount(); ++place)
+      {
+        next[place] += std::exchange(chunk[place], next[place]);
+      }
+    }
 
     const std::size_t firstDigit = digit.Of(from[0]);
     if (starts[firstDigit + 1] - starts[firstDigit] == count)
