@@ -7,11 +7,6 @@
 
 namespace locator_benchmark
 {
-namespace
-{
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-}
-
 void LocatorResults::ReportRuns(const std::vector<Run>& runs)
 {
   this->Json.ReportRuns(runs);
@@ -27,26 +22,12 @@ void LocatorResults::ReportRuns(const std::vector<Run>& runs)
     }
     else if (run.run_type == Run::RT_Iteration)
     {
-      this->Seconds[name].push_back(run.counters.at("seconds_each").value);
       for (const auto& counter : run.counters)
       {
-        this->Counters[name][counter.first] = counter.second.value;
+        this->Counters[name][counter.first].push_back(counter.second.value);
       }
     }
   }
-}
-
-double LocatorResults::GetSeconds(const LocatorCase& which) const
-{
-  const auto found = this->Seconds.find(which.GetName());
-  if (found == this->Seconds.end())
-  {
-    return NotANumber;
-  }
-  std::vector<double> times = found->second;
-  std::sort(times.begin(), times.end());
-  const std::size_t middle = times.size() / 2;
-  return times.size() % 2 == 1 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
 }
 
 double LocatorResults::GetCounter(const LocatorCase& which, const std::string& counter) const
@@ -54,8 +35,11 @@ double LocatorResults::GetCounter(const LocatorCase& which, const std::string& c
   const auto found = this->Counters.find(which.GetName());
   if (found == this->Counters.end() || found->second.count(counter) == 0)
   {
-    return NotANumber;
+    return std::numeric_limits<double>::quiet_NaN();
   }
-  return found->second.at(counter);
+  std::vector<double> values = found->second.at(counter);
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 }

@@ -11,8 +11,8 @@
 
 namespace locator_benchmark
 {
-/** Takes what Google Benchmark measures: all groups go to one JSON file, and the times of all
- * repetitions are kept for their medians. */
+/** Takes what Google Benchmark measures: all groups go to one JSON file, and the counters of
+ * all repetitions are kept for their medians. */
 class LocatorResults : public benchmark::BenchmarkReporter
 {
 public:
@@ -32,17 +32,19 @@ public:
   bool HasFailed() const { return !this->Errors.empty(); }
   const std::map<std::string, std::string>& GetErrors() const { return this->Errors; }
 
-  /** Median of the seconds for one query or build; not a number when there is none. */
-  double GetSeconds(const LocatorCase& which) const;
-
-  /** A counter of a benchmark; not a number when there is none. */
+  /** A counter of a benchmark, the median of its repetitions; not a number when there is none. */
   double GetCounter(const LocatorCase& which, const std::string& counter) const;
+
+  /** The seconds for one query or build. */
+  double GetSeconds(const LocatorCase& which) const
+  {
+    return this->GetCounter(which, "seconds_each");
+  }
 
 private:
   benchmark::JSONReporter Json;
   bool HasContext = false;
-  std::map<std::string, std::vector<double>> Seconds;
-  std::map<std::string, std::map<std::string, double>> Counters;
+  std::map<std::string, std::map<std::string, std::vector<double>>> Counters;
   std::map<std::string, std::string> Errors;
 };
 }

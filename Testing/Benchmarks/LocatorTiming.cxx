@@ -6,9 +6,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <mutex>
+#include <numeric>
 
 namespace locator_benchmark
 {
@@ -19,6 +22,21 @@ using Clock = std::chrono::steady_clock;
 double GetSecondsSince(Clock::time_point start)
 {
   return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/** Multiplications, enough at a time for all that a core can do, in about a nanosecond each step.
+ */
+std::uint64_t DoArithmetic(std::size_t steps)
+{
+  std::array<std::uint64_t, 8> numbers{ 1, 2, 3, 4, 5, 6, 7, 8 };
+  for (std::size_t step = 0; step < steps; ++step)
+  {
+    for (std::uint64_t& number : numbers)
+    {
+      number = number * 6364136223846793005U + 1442695040888963407U;
+    }
+  }
+  return std::accumulate(numbers.begin(), numbers.end(), std::uint64_t(0));
 }
 
 void Ask(LocatorPeer& peer, const Question& question, const Position& x, Answer& answer)
@@ -47,6 +65,25 @@ void UseThreads(int threads)
 {
   vtkSMPTools::SetBackend(threads == 1 ? "Sequential" : "STDThread");
   vtkSMPTools::Initialize(threads);
+}
+
+double MeasureGainOfThreads(int threads)
+{
+  constexpr std::size_t steps = 2000000; // Milliseconds, as builds take.
+  const auto time = [](int shares)
+  {
+    const auto start = Clock::now();
+    vtkSMPTools::For(0, shares, 1,
+      [shares](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType share = first; share < last; ++share)
+        {
+          benchmark::DoNotOptimize(DoArithmetic(steps / static_cast<std::size_t>(shares)));
+        }
+      });
+    return GetSecondsSince(start);
+  };
+  return time(1) / time(threads);
 }
 
 Answers GetAnswers(

@@ -27,6 +27,11 @@ struct Question
 /** Lets vtkSMPTools, with which builds and queries are shared out, use this many threads. */
 void UseThreads(int threads);
 
+/** How many times as fast as one thread some are at arithmetic that needs no memory, at this
+ * moment: more than that nothing can gain. On a virtual machine it is often less than their number,
+ * as when its processors are for a while two halves of one core. */
+double MeasureGainOfThreads(int threads);
+
 /** Ids that were found, at a position. */
 using Answers = std::map<std::size_t, std::vector<vtkIdType>>;
 
