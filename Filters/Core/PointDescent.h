@@ -55,6 +55,15 @@ public:
     }
   }
 
+  /** Asks the machine to load the boxes of a block. (Inline for the reason of
+   * NodeTable::Prefetch().) */
+  [[gnu::always_inline]] void AskForBoxes(std::uint32_t block) const
+  {
+    const auto* boxes = reinterpret_cast<const char*>(&this->Tree.GetChildBoxes(block));
+    __builtin_prefetch(boxes);
+    __builtin_prefetch(boxes + sizeof(ChildBoxes<Dim>) - 1);
+  }
+
   /** Searches a child that is a leaf. */
   void ScanChild(const Block& block, unsigned octant)
   {

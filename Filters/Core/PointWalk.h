@@ -104,6 +104,8 @@ private:
     const Block& parent = this->Nodes.GetBlock(block);
     const unsigned octant = leaf.Key.GetOctant();
     int depth = leaf.Key.GetDepth();
+    // Often searched next; loaded while the search waits for the block and the leaf.
+    this->Below.AskForBoxes(block);
     if (parent.FirstPoint[octant + 1] - parent.FirstPoint[octant] >= wanted)
     {
       this->Below.ScanChild(parent, octant);
