@@ -69,6 +69,17 @@ typename FreeSpace<Dim>::CellSet FreeSpace<Dim>::GetOccupied(
   return cells;
 }
 
+template <int Dim>
+std::size_t FreeSpace<Dim>::GetRow(const Cell<Dim>& cell) const
+{
+  std::size_t row = 0;
+  for (int axis = 0; axis < Dim - 1; ++axis)
+  {
+    row = row << this->Depth | cell[axis];
+  }
+  return row;
+}
+
 /** Adds those children of a node that some bits tell, where they are coarse cells themselves: two
  * at a time, which are side by side in a row. */
 template <int Dim>
@@ -76,12 +87,12 @@ void FreeSpace<Dim>::AddChildren(const Cell<Dim>& node, unsigned octants, CellSe
 {
   for (unsigned pair = 0; pair < Octree<Dim>::NumberOfOctants / 2; ++pair)
   {
-    std::size_t row = 0;
-    for (int axis = 0; axis < Dim - 1; ++axis)
+    Cell<Dim> first;
+    for (int axis = 0; axis < Dim; ++axis)
     {
-      row = row << this->Depth | (2 * node[axis] + (pair >> (Dim - 2 - axis) & 1U));
+      first[axis] = 2 * node[axis] + (2 * pair >> (Dim - 1 - axis) & 1U);
     }
-    cells[row] |= std::uint64_t(octants >> 2 * pair & 3U) << 2 * node[Dim - 1];
+    cells[this->GetRow(first)] |= std::uint64_t(octants >> 2 * pair & 3U) << first[Dim - 1];
   }
 }
 
@@ -94,12 +105,7 @@ void FreeSpace<Dim>::AddCells(const Cell<Dim>& lower, const Cell<Dim>& upper, Ce
   Cell<Dim> cell = lower;
   for (;;)
   {
-    std::size_t row = 0;
-    for (int axis = 0; axis < Dim - 1; ++axis)
-    {
-      row = row << this->Depth | cell[axis];
-    }
-    cells[row] |= places;
+    cells[this->GetRow(cell)] |= places;
     int axis = Dim - 2;
     while (axis >= 0 && cell[axis] == upper[axis])
     {

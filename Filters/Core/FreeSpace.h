@@ -63,6 +63,7 @@ private:
     return this->CellsToPoints[cell];
   }
   CellSet GetOccupied(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes) const;
+  std::size_t GetRow(const Cell<Dim>& cell) const;
   void AddChildren(const Cell<Dim>& node, unsigned octants, CellSet& cells) const;
   void AddCells(const Cell<Dim>& lower, const Cell<Dim>& upper, CellSet& cells) const;
   void Grow(CellSet& cells) const;

@@ -56,7 +56,7 @@ public:
     this->WriteComparison(title + "1 thread / ours", one);
     this->WriteComparison(title + "2 threads / ours", two);
     this->WriteRatios(title + "1 thread / on 2 threads", one, two);
-    this->WriteRow("arithmetic alone, between these: time on 1 thread / on 2 threads",
+    this->WriteRow(title + "1 thread / on 2 threads, of arithmetic alone after each",
       [&](const std::string& peer)
       { return this->Results.GetCounter(two.WithPeer(peer), "gain_of_threads"); });
   }

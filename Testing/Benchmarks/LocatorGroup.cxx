@@ -75,11 +75,11 @@ void LocatorGroup::Run(benchmark::State& state, const LocatorCase& which)
     Counter(static_cast<double>(timing.Count), Counter::Flags(Counter::kIsRate | Counter::kInvert));
   state.counters["index_bytes_per_point"] =
     static_cast<double>(peer.GetIndexBytes()) / static_cast<double>(this->Data.GetNumberOfPoints());
-  if (isBuild)
+  if (isBuild && which.Threads > 1)
   {
     state.counters["gain_of_threads"] = MeasureGainOfThreads(which.Threads);
   }
-  else
+  if (!isBuild)
   {
     state.counters["mean_hits"] = this->GetCheck(which).GetMeanHits();
     const CheckResult& result = this->CheckResults[which.GetName()];

@@ -28,8 +28,7 @@ struct Question
 void UseThreads(int threads);
 
 /** How many times as fast as one thread some are at arithmetic that needs no memory, at this
- * moment: more than that nothing can gain. On a virtual machine it is often less than their number,
- * as when its processors are for a while two halves of one core. */
+ * moment. On a virtual machine it may be less than their number, whatever they do. */
 double MeasureGainOfThreads(int threads);
 
 /** Ids that were found, at a position. */
