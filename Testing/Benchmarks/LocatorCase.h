@@ -27,7 +27,7 @@ inline const std::vector<std::string>& GetOperationNames()
 
 inline const std::vector<std::string>& GetQueryNames()
 {
-  static const std::vector<std::string> names{ "near", "uniform" };
+  static const std::vector<std::string> names{ "near", "uniform", "ordered" };
   return names;
 }
 

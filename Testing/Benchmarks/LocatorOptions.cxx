@@ -164,8 +164,6 @@ LocatorOptions ReadOptions(const std::vector<std::string>& arguments)
 {
   LocatorOptions options;
   std::map<std::string, Setter> setters = MakeSetters();
-  setters["--data"](options, Join(GetSampleNames()));
-  setters["--queries"](options, Join(GetQueryNames()));
   setters["--operations"](options, Join(GetOperationNames()));
   setters["--peers"](options, Join(GetPeerNames()));
   for (std::size_t i = 0; i < arguments.size(); ++i)
@@ -220,11 +218,11 @@ std::string GetHelp()
   return "Compares point locators in turns, and writes locator.md and locator.json.\n"
          "  --data LIST             of " +
     Join(GetSampleNames()) +
-    "\n"
+    "; default: all but tails\n"
     "  --sizes LIST            numbers of points; default 10000,100000,1000000\n"
     "  --queries LIST          of " +
     Join(GetQueryNames()) +
-    "\n"
+    "; default: all but ordered\n"
     "  --operations LIST       of " +
     Join(GetOperationNames()) +
     "\n"
@@ -235,6 +233,7 @@ std::string GetHelp()
     "  --repetition-time S     seconds after which a repetition stops counting; default 0.04\n"
     "  --terrain FILE          that Data/make_terrain.py wrote; for the data set terrain\n"
     "  --output DIRECTORY      default: the current one\n"
-    "A list has commas and no blanks; without it, all. Google Benchmark's options work too:\n";
+    "A list has commas and no blanks; without it, all unless told. Google Benchmark's options work "
+    "too:\n";
 }
 }

@@ -9,9 +9,10 @@ namespace locator_benchmark
 /** What to measure, from the command line. */
 struct LocatorOptions
 {
-  std::vector<std::string> Data;
+  std::vector<std::string> Data{ "terrain", "cube", "sphere", "clusters", "filaments", "duplicates",
+    "outlier" };
   std::vector<std::size_t> Sizes{ 10000, 100000, 1000000 };
-  std::vector<std::string> Queries;
+  std::vector<std::string> Queries{ "near", "uniform" };
   std::vector<Operation> Operations;
   std::vector<int> Threads{ 1, 2 };
   /** The first is the one that the others are compared with. */

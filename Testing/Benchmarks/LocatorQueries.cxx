@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatorQueries.h"
 
+#include "Octree.h"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -19,9 +21,9 @@ double GetDistance(const LocatorData& data, LocatorPeer& locator, const Position
   return std::sqrt(data.GetDistance2(static_cast<std::size_t>(locator.GetIds(answer).back()), x));
 }
 
-Position MoveRandomPoint(const LocatorData& data, LocatorPeer& locator, Random& random)
+Position MovePoint(const LocatorData& data, LocatorPeer& locator, std::size_t id, Random& random)
 {
-  const float* point = data.GetPoint(random() % data.GetNumberOfPoints());
+  const float* point = data.GetPoint(id);
   Position x{ point[0], point[1], point[2] };
   const double spacing = GetDistance(data, locator, x, 1);
   std::normal_distribution<double> normal;
@@ -41,6 +43,27 @@ Position MakeUniformPosition(const double bounds[6], Random& random)
       std::uniform_real_distribution<double>(bounds[2 * axis], bounds[2 * axis + 1])(random);
   }
   return x;
+}
+
+std::vector<Position> MakeOrderedPositions(
+  const LocatorData& data, LocatorPeer& locator, std::size_t count, Random& random)
+{
+  constexpr std::size_t run = 1000;
+  const hashedoctree::PointSpan<3, float> points{ data.GetPoint(0), data.GetNumberOfPoints() };
+  const hashedoctree::Execution execution;
+  const hashedoctree::PointSelection<3> all(points, {}, execution);
+  const hashedoctree::Octree<3> curve(points, all, {}, execution);
+  std::vector<Position> positions;
+  for (std::size_t first = 0; positions.size() < count; ++first)
+  {
+    if (positions.size() % run == 0)
+    {
+      first = random();
+    }
+    const std::size_t place = first % curve.GetNumberOfPoints();
+    positions.push_back(MovePoint(data, locator, curve.GetPointIds()[place], random));
+  }
+  return positions;
 }
 
 double MakeRadius(
@@ -66,9 +89,10 @@ LocatorQueries MakeQueries(const LocatorData& data, LocatorPeer& locator, std::s
   data.MakePolyData()->GetBounds(bounds);
   for (std::size_t i = 0; i < count; ++i)
   {
-    queries.Near.push_back(MoveRandomPoint(data, locator, random));
+    queries.Near.push_back(MovePoint(data, locator, random() % data.GetNumberOfPoints(), random));
     queries.Uniform.push_back(MakeUniformPosition(bounds, random));
   }
+  queries.Ordered = MakeOrderedPositions(data, locator, count, random);
   queries.Radius = MakeRadius(data, locator, queries.Near);
   return queries;
 }

@@ -6,19 +6,23 @@
 
 namespace locator_benchmark
 {
-/** Where to search in a data set, in random order. */
+/** Where to search in a data set. */
 struct LocatorQueries
 {
-  /** Points of the data, moved by about half the distance to their nearest neighbours. */
+  /** Points of the data, in random order, moved by about half the distance to their nearest
+   * neighbours. */
   std::vector<Position> Near;
-  /** Uniform in the box of the points. */
+  /** Uniform in the box of the points, in random order. */
   std::vector<Position> Uniform;
+  /** Moved points, too, but in runs of neighbours along the Morton curve: what one search has
+   * loaded is there for the next, as when a filter asks for each point of a scan. */
+  std::vector<Position> Ordered;
   /** Median distance from the near positions to their 30th closest point. */
   double Radius;
 
   const std::vector<Position>& Get(const std::string& kind) const
   {
-    return kind == "near" ? this->Near : this->Uniform;
+    return kind == "near" ? this->Near : kind == "uniform" ? this->Uniform : this->Ordered;
   }
 };
 

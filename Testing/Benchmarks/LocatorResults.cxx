@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatorResults.h"
 
-#include <algorithm>
+#include "Median.h"
+
 #include <cstdio>
 #include <limits>
 
@@ -37,9 +38,6 @@ double LocatorResults::GetCounter(const LocatorCase& which, const std::string& c
   {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  std::vector<double> values = found->second.at(counter);
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+  return GetMedian(found->second.at(counter));
 }
 }

@@ -125,6 +125,20 @@ std::vector<float> MakeOutlier(std::size_t count, unsigned seed)
   return coordinates;
 }
 
+/** Cauchy distributed on each axis: half of the points within [-1, 1], single ones as far away as
+ * there are points. */
+std::vector<float> MakeTails(std::size_t count, unsigned seed)
+{
+  Random random(seed);
+  std::cauchy_distribution<double> cauchy;
+  std::vector<float> coordinates(3 * count);
+  for (float& coordinate : coordinates)
+  {
+    coordinate = static_cast<float>(cauchy(random));
+  }
+  return coordinates;
+}
+
 /** A sphere whose points stand there six times each, as the corners of triangles that share none.
  */
 std::vector<float> MakeDuplicates(std::size_t count, unsigned seed)
@@ -173,14 +187,18 @@ std::vector<float> MakeCoordinates(
   {
     return MakeFilaments(count, seed);
   }
-  return name == "duplicates" ? MakeDuplicates(count, seed) : MakeOutlier(count, seed);
+  if (name == "duplicates")
+  {
+    return MakeDuplicates(count, seed);
+  }
+  return name == "outlier" ? MakeOutlier(count, seed) : MakeTails(count, seed);
 }
 }
 
 const std::vector<std::string>& GetSampleNames()
 {
   static const std::vector<std::string> names{ "terrain", "cube", "sphere", "clusters", "filaments",
-    "duplicates", "outlier" };
+    "duplicates", "outlier", "tails" };
   return names;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PaperTiming.h"
 
+#include "Median.h"
+
 #include <algorithm>
 
 namespace paper_benchmark
@@ -25,8 +27,7 @@ Spread GetSpread(std::vector<double> times)
 {
   std::sort(times.begin(), times.end());
   const std::size_t last = times.size() - 1;
-  const double median = (times[last / 2] + times[last - last / 2]) / 2.0;
-  return { median, times[last / 4], times[last - last / 4] };
+  return { GetMedian(times), times[last / 4], times[last - last / 4] };
 }
 
 std::vector<std::vector<double>> MeasureInTurns(

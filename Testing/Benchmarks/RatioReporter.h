@@ -2,6 +2,8 @@
 #ifndef Testing_Benchmarks_RatioReporter_h
 #define Testing_Benchmarks_RatioReporter_h
 
+#include "Median.h"
+
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -52,11 +54,11 @@ public:
     for (const std::string& data : this->DataSets)
     {
       std::printf("\n| %s |", data.c_str());
-      const double base = Median(this->Times[{ *this->Subjects.begin(), data }]);
+      const double base = GetMedian(this->Times[{ *this->Subjects.begin(), data }]);
       for (const std::string& subject : this->Subjects)
       {
         const std::vector<double>& times = this->Times[{ subject, data }];
-        const double median = Median(times);
+        const double median = GetMedian(times);
         const auto [least, most] = std::minmax_element(times.begin(), times.end());
         std::printf(" %.1f ms (%.0f %%), x %.2f |", median,
           times.empty() ? 0.0 : 100.0 * (*most - *least) / median, median / base);
@@ -73,16 +75,6 @@ private:
     this->Subjects.insert(subject);
     this->DataSets.insert(data);
     this->Times[{ subject, data }].push_back(milliseconds);
-  }
-
-  static double Median(std::vector<double> times)
-  {
-    if (times.empty())
-    {
-      return 0.0;
-    }
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2];
   }
 
   std::set<std::string> Subjects;

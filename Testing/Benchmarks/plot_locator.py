@@ -24,7 +24,7 @@ OPERATIONS = {
     "closest32": "32 closest points",
     "radius": "Points within a radius",
 }
-QUERIES = {"near": "near the points", "uniform": "uniform in the box", "-": ""}
+QUERIES = {"near": "near the points", "uniform": "uniform in the box", "ordered": "near, in order", "-": ""}
 # The colours can be told apart by the colour-blind; ours are solid, the others dashed.
 PEERS = {
     "local": ("ours, local", "#009E73", "o-"),
