@@ -49,8 +49,10 @@ run_locator() {
   mkdir -p "$output"
   "$program" --terrain "$terrain" --output "$output" "$@" || status=$?
   ((status <= 1)) || exit "$status"
-  [[ " $* " == *' --help '* ]] ||
+  if [[ " $* " != *' --help '* ]]; then
+    rm -f "$output"/locator-*.png # Those of other data, from a run before.
     python3 "$root/Testing/Benchmarks/plot_locator.py" "$output/locator.json" "$output"
+  fi
   exit "$status"
 }
 

@@ -85,8 +85,10 @@ def draw_figure(data, threads, pictures, directory):
              if (operation, queries) in pictures]
     columns = min(3, len(order))
     rows = -(-len(order) // columns)
-    # The legend has a strip of its own below the pictures.
-    figure, grid = plt.subplots(rows, columns, figsize=(4.2 * columns, 3.3 * rows + 1.1), squeeze=False)
+    # Strips of their own: the title above the pictures, the legend below.
+    title, legend = 0.35, 0.8
+    height = 3.3 * rows + title + legend
+    figure, grid = plt.subplots(rows, columns, figsize=(4.2 * columns, height), squeeze=False)
     for axes, key in zip(grid.flat, order):
         draw_picture(axes, *key, pictures[key])
     for axes in grid.flat[len(order):]:
@@ -94,9 +96,9 @@ def draw_figure(data, threads, pictures, directory):
     handles = {}
     for axes in grid.flat[:len(order)]:
         handles.update((line.get_label(), line) for line in axes.get_lines())
-    figure.suptitle(f"Point locators on {data}, {threads} thread{'s' if threads > 1 else ''} (medians)")
-    strip = 0.8 / figure.get_figheight()
-    figure.tight_layout(rect=(0, strip, 1, 1))
+    figure.suptitle(f"Point locators on {data}, {threads} thread{'s' if threads > 1 else ''} (medians)",
+                    y=1 - 0.3 * title / height)
+    figure.tight_layout(rect=(0, legend / height, 1, 1))
     figure.legend(handles.values(), handles.keys(), loc="lower center", ncol=min(columns + 1, 4), fontsize=9)
     path = os.path.join(directory, f"locator-{data}-{threads}.png")
     figure.savefig(path, dpi=110)
