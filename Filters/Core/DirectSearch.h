@@ -42,31 +42,12 @@ struct NodeCount
   void AddNode() { ++this->Nodes; }
 };
 
-/**
- * Direct search (paper Algorithm 1): the leaf that holds a position, found by starting at an
- * estimated depth. The node there is reached directly through the table, and so are those below it
- * or above it, one after the other, until one is a leaf.
- *
- * The node at depth l is examined by reading what the table tells of its parent: that the node is
- * internal, that it is a leaf, or, when there is no such parent, that it does not exist. So a leaf
- * is known at first sight (paper E3), and finding the leaf at depth l examines exactly
- * 1 + |l - startDepth| nodes. Start depth 0 is the classical search from the root.
- *
- * `key` is the position's key at MaxDepth (Grid::GetKey()); `startDepth` may be any depth in
- * [0, MortonKey::MaxDepth] and changes the cost, never the leaf. In the sparse reading an empty
- * octant is seen in its parent, at the same cost. Thread safe; O(1 + |l - startDepth|).
- *
- * `Tree` is Octree, or another tree that has these members of it: GetTable(), IsRootInternal(),
- * GetNumberOfPoints(); and whose table tells which children are internal and which hold points.
- */
-template <template <int> class Tree, int Dim, typename Count>
-FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
-  EmptyOctants reading = EmptyOctants::Leaves)
+/** FindLeaf(); ask(depth) hears early of the nodes that are likely to be examined. */
+template <template <int> class Tree, int Dim, typename Count, typename Ask>
+FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth,
+  Count& count, EmptyOctants reading, const Ask& ask)
 {
   const auto& table = tree.GetTable();
-  // Where a node is in the table follows from its key alone. So those that are examined next are
-  // asked for now, and the machine loads them while it waits for the first.
-  const auto ask = [&table, key](int depth) { table.Prefetch(key.AtDepth(depth).GetValue()); };
   ask(startDepth);
   ask(std::max(startDepth - 2, 0));
 
@@ -112,6 +93,38 @@ FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDept
       : depth < startDepth ? SearchCase::Up
                            : SearchCase::Down,
     (parent->Occupied >> octant & 1U) != 0 || reading == EmptyOctants::Leaves };
+}
+
+/**
+ * Direct search (paper Algorithm 1): the leaf that holds a position, found by starting at an
+ * estimated depth. The node there is reached directly through the table, and so are those below it
+ * or above it, one after the other, until one is a leaf.
+ *
+ * The node at depth l is examined by reading what the table tells of its parent: that the node is
+ * internal, that it is a leaf, or, when there is no such parent, that it does not exist. So a leaf
+ * is known at first sight (paper E3), and finding the leaf at depth l examines exactly
+ * 1 + |l - startDepth| nodes. Start depth 0 is the classical search from the root.
+ *
+ * `key` is the position's key at MaxDepth (Grid::GetKey()); `startDepth` may be any depth in
+ * [0, MortonKey::MaxDepth] and changes the cost, never the leaf. In the sparse reading an empty
+ * octant is seen in its parent, at the same cost. Thread safe; O(1 + |l - startDepth|).
+ *
+ * `Tree` is Octree, or another tree that has these members of it: GetTable(), IsRootInternal(),
+ * GetNumberOfPoints(); and whose table tells which children are internal and which hold points.
+ */
+template <template <int> class Tree, int Dim, typename Count>
+FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
+  EmptyOctants reading = EmptyOctants::Leaves)
+{
+  const auto& table = tree.GetTable();
+  if (table.IsCached())
+  {
+    return FindLeafAsking(tree, key, startDepth, count, reading, [](int) {});
+  }
+  // Where a node is in the table follows from its key alone. So those that are examined next are
+  // asked for now, and the machine loads them while it waits for the first.
+  return FindLeafAsking(tree, key, startDepth, count, reading,
+    [&table, key](int depth) { table.Prefetch(key.AtDepth(depth).GetValue()); });
 }
 
 /** FindLeaf() without counting. */

@@ -115,6 +115,9 @@ public:
     }
   }
 
+  /** Whether it stays in a core's second cache, so that to ask for slots ahead is of no use. */
+  bool IsCached() const { return this->GetBytes() <= CachedBytes; }
+
   /** Asks the machine to load the slot where a key would be, for a later Insert() or Find(). Inline
    * always: left to itself GCC takes a function that only does so for one that does nothing, and
    * leaves out the call. */
@@ -189,6 +192,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t CachedBytes = std::size_t(1) << 20;
+
   /** Slots are filled from the first on; key 0 marks a free one. */
   struct alignas(SlotsOfBucket*(sizeof(std::uint64_t) + sizeof(Value))) Bucket
   {

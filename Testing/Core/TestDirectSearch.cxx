@@ -8,32 +8,36 @@ using namespace hashedoctree;
 
 namespace
 {
-/** A tree that remembers the keys that a search looks up. */
+/** A tree that remembers the keys that a search asks for and looks up. */
 template <int Dim>
 class RecordedTree
 {
 public:
   using Entry = typename Octree<Dim>::Entry;
 
-  explicit RecordedTree(const Octree<Dim>& tree)
+  explicit RecordedTree(const Octree<Dim>& tree, bool isCached = true)
     : Tree(tree)
+    , Cached(isCached)
   {
   }
   const RecordedTree& GetTable() const { return *this; }
   bool IsRootInternal() const { return this->Tree.IsRootInternal(); }
   std::size_t GetNumberOfPoints() const { return this->Tree.GetNumberOfPoints(); }
 
-  void Prefetch(std::uint64_t) const {}
+  bool IsCached() const { return this->Cached; }
+  void Prefetch(std::uint64_t key) const { this->Asked.push_back(key); }
   const Entry* Find(std::uint64_t key) const
   {
     this->LookedUp.push_back(key);
     return this->Tree.GetTable().Find(key);
   }
 
+  mutable std::vector<std::uint64_t> Asked;
   mutable std::vector<std::uint64_t> LookedUp;
 
 private:
   const Octree<Dim>& Tree;
+  bool Cached;
 };
 }
 
@@ -133,6 +137,34 @@ TYPED_TEST(TestDirectSearch, FromTheRootEveryAncestorIsLookedUpInOrder)
       ASSERT_EQ(FindLeaf(recorded, key, 0, count).Key, leaf.NodeKey);
       ASSERT_EQ(recorded.LookedUp, ancestors);
       ASSERT_EQ(count.Nodes, ancestors.size() + 1);
+    });
+}
+
+TYPED_TEST(TestDirectSearch, OnlyLargeTablesAreAskedAhead)
+{
+  constexpr int dim = TestFixture::Dim;
+  const SampleTree<dim, double> made(
+    PointSample<dim, double>{ "clusters", MakeClusteredPoints<dim, double>(300, 73) });
+  ForEachLeaf(made.Tree,
+    [&made](const auto& leaf)
+    {
+      const MortonKey<dim> key = leaf.NodeKey.GetFirstAtMaxDepth();
+      for (int startDepth = 0; startDepth <= MortonKey<dim>::MaxDepth; ++startDepth)
+      {
+        const RecordedTree<dim> cached(made.Tree);
+        ASSERT_EQ(FindLeaf(cached, key, startDepth).Key, leaf.NodeKey);
+        ASSERT_TRUE(cached.Asked.empty());
+
+        const RecordedTree<dim> large(made.Tree, false);
+        ASSERT_EQ(FindLeaf(large, key, startDepth).Key, leaf.NodeKey);
+        ASSERT_EQ(large.LookedUp, cached.LookedUp);
+        // The first is wanted at once, and from the root the second, too.
+        for (std::size_t look = startDepth == 0 ? 2 : 1; look < large.LookedUp.size(); ++look)
+        {
+          ASSERT_NE(std::find(large.Asked.begin(), large.Asked.end(), large.LookedUp[look]),
+            large.Asked.end());
+        }
+      }
     });
 }
 

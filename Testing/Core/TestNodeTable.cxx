@@ -216,6 +216,12 @@ TEST(TestNodeTableFacts, OnlyLowBitsSendCornerChainsToOneSlot)
   EXPECT_LT(GetMeanProbeLength(MakeTable<MixingHash>(keys)), 1.2);
 }
 
+TEST(TestNodeTableFacts, OnlySmallTablesStayInACache)
+{
+  EXPECT_TRUE(NodeTable<std::uint64_t>(1000).IsCached());
+  EXPECT_FALSE(NodeTable<std::uint64_t>(1000000).IsCached());
+}
+
 TEST(TestNodeTableFacts, MixingIsShortOnAFullTree)
 {
   // All nodes of depth 5: what a uniform scan gives.
