@@ -17,6 +17,7 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -50,6 +51,13 @@ Box<3> ToBox(const double bounds[6])
 {
   return { { bounds[0], bounds[2], bounds[4] }, { bounds[1], bounds[3], bounds[5] } };
 }
+
+/** Where a point set keeps its points. */
+class PartsOfSet : public vtkPointSet
+{
+public:
+  static constexpr auto PointsOfSet = &PartsOfSet::Points;
+};
 
 void SetSize(vtkDataArray* array, int components, std::size_t tuples)
 {
@@ -189,11 +197,13 @@ bool vtkHashedOctreePointLocator::HasSamePoints() const
     return this->BuildTime > this->DataSet->GetMTime();
   }
   // Each query asks, and to ask the cells and all arrays, too, takes as long as finding a point.
-  // Who has not changed since the build still has the parts that it had then. Their own times are
-  // read where they stand: three calls would be a fifth of a query that finds nothing.
+  // Who has not changed since the build still has the parts that it had then; but a set that is
+  // initialized says so before it lets its points go. Times and points are read where they stand:
+  // three calls would be a fifth of a query that finds nothing.
   constexpr auto time = &vtkHashedOctreePointLocator::MTime;
-  return this->BuildTime > index.PointSet->*time && this->BuildTime > index.PointsOfSet->*time &&
-    this->BuildTime > index.Coordinates->*time;
+  return this->BuildTime > index.PointSet->*time &&
+    index.PointSet->*PartsOfSet::PointsOfSet == index.PointsOfSet &&
+    this->BuildTime > index.PointsOfSet->*time && this->BuildTime > index.Coordinates->*time;
 }
 
 void vtkHashedOctreePointLocator::BuildLocator()
@@ -533,12 +543,14 @@ void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData*
     options.InternalNodes = true;
     options.Depth = level;
   }
-  pd->Initialize();
+  // To initialize pd would free the index where this is the locator of pd.
+  vtkNew<vtkPolyData> boxes;
   try
   {
     const auto nodes = ListNodes(index.GetOctree(), options, MakeExecution());
     OctreeCells(index.GetOctree(), index.GetStartDepths().GetOfTree(), nodes)
-      .MakeOutlines(pd, MakeExecution());
+      .MakeOutlines(boxes, MakeExecution());
+    pd->ShallowCopy(boxes);
   }
   catch (const std::bad_alloc&)
   {

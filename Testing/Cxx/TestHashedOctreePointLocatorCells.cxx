@@ -130,6 +130,28 @@ TEST(TestHashedOctreePointLocatorCells, LeavesHoldAllPointsOnce)
   }
 }
 
+TEST(TestHashedOctreePointLocatorCells, TheDataSetItselfMayTakeThem)
+{
+  for (const bool isItsLocator : { false, true })
+  {
+    const auto cloud = MakePointCloud(MakeUniformPoints<3, double>(500, 56));
+    TestedLocator locator(cloud);
+    vtkNew<vtkPolyData> expected;
+    locator->GenerateRepresentation(-1, expected);
+    ASSERT_GT(expected->GetNumberOfCells(), 1);
+    cloud->SetPointLocator(isItsLocator ? locator.Get() : nullptr);
+    locator->GenerateRepresentation(-1, cloud);
+    EXPECT_EQ(cloud->GetNumberOfCells(), expected->GetNumberOfCells());
+    EXPECT_EQ(cloud->GetNumberOfPoints(), expected->GetNumberOfPoints());
+    double corner[3];
+    cloud->GetPoint(7, corner);
+    double found[3];
+    cloud->GetPoint(locator->FindClosestPoint(corner), found);
+    EXPECT_TRUE(std::equal(corner, corner + 3, found));
+    cloud->SetPointLocator(nullptr); // Or they would hold each other.
+  }
+}
+
 TEST(TestHashedOctreePointLocatorCells, WithoutPointsThereIsNothing)
 {
   TestedLocator locator(MakePointCloud<float>({}));

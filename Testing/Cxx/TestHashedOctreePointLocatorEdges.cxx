@@ -109,6 +109,29 @@ TEST(TestHashedOctreePointLocatorEdges, DataMayBeEmptiedAfterABuild)
   }
 }
 
+TEST(TestHashedOctreePointLocatorEdges, WhoHearsOfAChangeMayAskAtOnce)
+{
+  struct Listener
+  {
+    TestedLocator& Asked;
+    vtkIdType Found = -2;
+    void Ask() { this->Found = this->Asked->FindClosestPoint(4, 0, 0); }
+  };
+  for (const bool pointsStay : { false, true })
+  {
+    // A point set that is initialized says so, and only then lets its points go.
+    const auto cloud = MakePointCloud<float>({ 0, 0, 0, 5, 0, 0 });
+    const vtkSmartPointer<vtkPoints> points = pointsStay ? cloud->GetPoints() : nullptr;
+    TestedLocator locator(cloud);
+    Listener listener{ locator };
+    const auto tag = cloud->AddObserver(vtkCommand::ModifiedEvent, &listener, &Listener::Ask);
+    cloud->Initialize();
+    EXPECT_EQ(listener.Found, 1);
+    cloud->RemoveObserver(tag);
+    ExpectNoTree(locator);
+  }
+}
+
 TEST(TestHashedOctreePointLocatorEdges, AnotherDataSetMayTakeItsPlace)
 {
   TestedLocator locator(MakePointCloud<float>({ 0, 0, 0, 5, 0, 0 }));
