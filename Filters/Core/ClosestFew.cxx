@@ -12,7 +12,7 @@
 
 namespace hashedoctree
 {
-static_assert(DistanceKernels<3, float>::MostPoints <= RankedPoints::MostPoints,
+static_assert(DistanceKernels<3, float>::MostPoints <= RankedPoints::MostAdded,
   "the points that are measured at a time are added at a time");
 
 bool ClosestFew::HasVectors()

@@ -11,10 +11,10 @@ namespace hashedoctree
 {
 /**
  * A collector (PointCollectors.h) of the closest few points so far, in the order of their squared
- * distances, equal ones by id; up to MostWanted, where that beats a heap. Up to MostInRegisters are
- * kept in the machine's vectors where it has AVX2: a point is put in its place by comparing it with
- * all others at once. More are merged leaf by leaf (RankedPoints.h). All ways give the same points
- * in the same order.
+ * distances, equal ones by id; up to MostWanted, where that beats choosing among many. Up to
+ * MostInRegisters are kept in the machine's vectors where it has AVX2: a point is put in its place
+ * by comparing it with all others at once. More are merged leaf by leaf (RankedPoints.h). All ways
+ * give the same points in the same order.
  */
 class ClosestFew
 {
@@ -23,7 +23,7 @@ public:
   static constexpr bool TakesWholeNodes = false;
   static constexpr bool TakesWithin = true;
   static constexpr bool TakesPromises = false;
-  static constexpr std::size_t MostWanted = RankedPoints::MostPoints;
+  static constexpr std::size_t MostWanted = RankedPoints::MostKept;
   static constexpr std::size_t MostInRegisters = 8;
 
   /** DistanceKernels::Select. */
@@ -40,7 +40,7 @@ public:
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
 
   /** `ids` must stay as they are until CopyTo(); `dist2` and `within` are what
-   * DistanceKernels::ToPointsWithin() gives, of at most RankedPoints::MostPoints. */
+   * DistanceKernels::ToPointsWithin() gives, of at most RankedPoints::MostAdded. */
   void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t count);
   void CopyTo(std::vector<FoundPoint>& found) const;
 

@@ -72,7 +72,8 @@ private:
   const PointIndex* Id = nullptr;
 };
 
-/** The closest so far, any number of them: a heap with the farthest on top. */
+/** The closest so far, any number of them, among others: when these are half as many, all farther
+ * ones are dropped, so that each point takes O(1) on average. */
 class ClosestMany
 {
 public:
@@ -81,8 +82,10 @@ public:
   static constexpr bool TakesWithin = true;
   static constexpr bool TakesPromises = false;
 
+  /** `wanted` at least 1. */
   ClosestMany(std::size_t wanted, std::vector<FoundPoint>& found)
     : Wanted(wanted)
+    , Most(wanted)
     , Found(found)
   {
   }
@@ -94,35 +97,34 @@ public:
     for (; within != 0; within &= within - 1)
     {
       const int i = __builtin_ctzll(within);
-      if (dist2[i] <= this->Bound2)
-      {
-        this->Add({ dist2[i], ids[i] });
-      }
+      this->Found.push_back({ dist2[i], ids[i] });
+    }
+    if (this->Found.size() >= this->Most)
+    {
+      this->DropFarther();
+      this->Most = this->Wanted + this->Wanted / 2;
     }
   }
-  void PutInOrder() { std::sort_heap(this->Found.begin(), this->Found.end()); }
+  void PutInOrder()
+  {
+    if (this->Found.size() > this->Wanted)
+    {
+      this->DropFarther();
+    }
+    std::sort(this->Found.begin(), this->Found.end());
+  }
 
 private:
-  void Add(const FoundPoint& point)
+  void DropFarther()
   {
-    if (this->Found.size() == this->Wanted)
-    {
-      if (!(point < this->Found.front()))
-      {
-        return;
-      }
-      std::pop_heap(this->Found.begin(), this->Found.end());
-      this->Found.pop_back();
-    }
-    this->Found.push_back(point);
-    std::push_heap(this->Found.begin(), this->Found.end());
-    if (this->Found.size() == this->Wanted)
-    {
-      this->Bound2 = this->Found.front().Dist2;
-    }
+    const auto last = this->Found.begin() + static_cast<std::ptrdiff_t>(this->Wanted - 1);
+    std::nth_element(this->Found.begin(), last, this->Found.end());
+    this->Bound2 = last->Dist2;
+    this->Found.resize(this->Wanted);
   }
 
   std::size_t Wanted;
+  std::size_t Most; ///< As many make the farther ones be dropped.
   double Bound2 = std::numeric_limits<double>::infinity();
   std::vector<FoundPoint>& Found;
 };

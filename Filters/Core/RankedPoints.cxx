@@ -111,7 +111,7 @@ HASHEDOCTREE_INLINE bool IsInOrder(double* dist2, std::size_t count)
   return (isNot[0] | isNot[1] | isNot[2] | isNot[3]) == 0;
 }
 
-constexpr std::size_t MostMerged = 2 * RankedPoints::MostPoints;
+constexpr std::size_t MostMerged = RankedPoints::MostKept + RankedPoints::MostAdded;
 constexpr std::size_t Padding = RankedPoints::Padding;
 
 /** Puts ids in order, given where they are; no two are equal. */
@@ -229,8 +229,8 @@ public:
    * are equal, too, and stops where they are not. */
   HASHEDOCTREE_INLINE bool PartEqualOnes(const double* dist2)
   {
-    double dist2OfRank[MostPoints];
-    std::uint8_t taken[MostPoints] = {}; // How many have been given a rank from each one down.
+    double dist2OfRank[MostAdded];
+    std::uint8_t taken[MostAdded] = {}; // How many have been given a rank from each one down.
     for (std::size_t i = this->Count; i-- > 0;)
     {
       const RankOf<Key> last = this->Ranks[i];
@@ -250,9 +250,9 @@ public:
   }
 
   std::size_t Count = 0;
-  Key Keys[MostPoints + Padding];
-  std::uint8_t Places[MostPoints];         ///< In the leaf.
-  RankOf<Key> Ranks[MostPoints + Padding]; ///< Among themselves.
+  Key Keys[MostAdded + Padding];
+  std::uint8_t Places[MostAdded];         ///< In the leaf.
+  RankOf<Key> Ranks[MostAdded + Padding]; ///< Among themselves.
 };
 
 template <typename Key>
@@ -264,14 +264,14 @@ HASHEDOCTREE_INLINE void RankedPoints::MergeRanked(Newcomers<Key>& added, const 
   const PointIndex** mergedIds = this->IdLists[isFirst ? 1 : 0];
   if (this->Size > 0)
   {
-    Key keys[MostPoints + Padding];
-    RankOf<Key> ranks[MostPoints + Padding];
+    Key keys[MostKept + Padding];
+    RankOf<Key> ranks[MostKept + Padding];
     for (std::size_t i = 0; i < this->Size; ++i)
     {
       keys[i] = GetKey<Key>(this->Dist2[i]);
     }
     std::fill_n(keys + this->Size, Padding, Key(0));
-    for (std::size_t i = 0; i < MostPoints + Padding; ++i)
+    for (std::size_t i = 0; i < this->Size + Padding; ++i)
     {
       ranks[i] = static_cast<RankOf<Key>>(i);
     }

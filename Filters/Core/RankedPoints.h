@@ -23,15 +23,16 @@ namespace hashedoctree
 class RankedPoints
 {
 public:
-  static constexpr std::size_t MostPoints = 64; ///< That are kept, and that are added at a time.
-  static constexpr std::size_t Padding = 16;    ///< Vectors read and write beyond the last.
+  static constexpr std::size_t MostKept = 256; ///< Points that are kept,
+  static constexpr std::size_t MostAdded = 64; ///< and that are added at a time.
+  static constexpr std::size_t Padding = 16;   ///< Vectors read and write beyond the last.
 
   RankedPoints() = default;
   RankedPoints(const RankedPoints&) = delete;
   void operator=(const RankedPoints&) = delete;
 
   /** Puts in their places those points of a leaf whose bits are set in `chosen`, and
-   * keeps the first `most`. `ids` must stay as they are. */
+   * keeps the first `most`, MostKept at most. `ids` must stay as they are. */
   void Merge(const double* dist2, const PointIndex* ids, std::uint64_t chosen, std::size_t most);
   /** The same by AVX2, which the machine must have. */
   void MergeWithVectors(
@@ -52,8 +53,8 @@ private:
   void MergeInline(const double* dist2, const PointIndex* ids, std::uint64_t chosen,
     std::size_t most, Sort putInOrder);
 
-  double Dist2Lists[2][2 * MostPoints + Padding]; ///< One is read while the other is written.
-  const PointIndex* IdLists[2][2 * MostPoints + Padding];
+  double Dist2Lists[2][MostKept + MostAdded + Padding]; ///< One is read while the other is written.
+  const PointIndex* IdLists[2][MostKept + MostAdded + Padding];
 };
 }
 

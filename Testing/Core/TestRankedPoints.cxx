@@ -15,7 +15,7 @@ using namespace hashedoctree;
 class TestRankedPoints : public ::testing::TestWithParam<bool>
 {
 protected:
-  static constexpr std::size_t Most = RankedPoints::MostPoints;
+  static constexpr std::size_t MostAdded = RankedPoints::MostAdded;
 
   void SetUp() override
   {
@@ -56,15 +56,16 @@ protected:
     const std::function<PointIndex(unsigned, unsigned)>& makeId)
   {
     std::mt19937 random(711);
-    for (std::size_t most = 1; most <= Most; ++most)
+    for (std::size_t most = 1; most <= RankedPoints::MostKept; most += most < MostAdded ? 1 : 24)
     {
       RankedPoints ranked;
       std::vector<FoundPoint> all;
       std::vector<PointIndex> ids;
-      ids.reserve(8 * Most); // Their addresses are kept.
-      for (int leafNumber = 0; leafNumber < 8; ++leafNumber)
+      constexpr std::size_t numberOfLeaves = 16;
+      ids.reserve(numberOfLeaves * MostAdded); // Their addresses are kept.
+      for (std::size_t leafNumber = 0; leafNumber < numberOfLeaves; ++leafNumber)
       {
-        std::vector<FoundPoint> leaf(random() % Most + 1);
+        std::vector<FoundPoint> leaf(random() % MostAdded + 1);
         std::uint64_t chosen = 0;
         for (std::size_t i = 0; i < leaf.size(); ++i)
         {
