@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // What the locator does when memory ends: in a build, in a batch, and on threads of vtkSMPTools.
+#include "MemoryLimit.h"
 #include "PointSamples.h"
 #include "Sanitized.h"
 #include "TestedLocator.h"
@@ -9,38 +10,11 @@
 #include "vtkIdTypeArray.h"
 #include "vtkSMPTools.h"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
-#include <fstream>
 #include <memory>
 #include <new>
 
 namespace
 {
-constexpr std::size_t Megabyte = std::size_t(1) << 20;
-
-/** While it lives, this process gets so many more bytes and no more. */
-class MemoryLimit
-{
-public:
-  explicit MemoryLimit(std::size_t bytes)
-  {
-    getrlimit(RLIMIT_AS, &this->Before);
-    std::size_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    rlimit limit = this->Before;
-    limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + bytes;
-    setrlimit(RLIMIT_AS, &limit);
-  }
-  ~MemoryLimit() { setrlimit(RLIMIT_AS, &this->Before); }
-  MemoryLimit(const MemoryLimit&) = delete;
-  void operator=(const MemoryLimit&) = delete;
-
-private:
-  rlimit Before{};
-};
-
 /** There must have been one error, with these words. */
 void ExpectError(TestedLocator& locator, const std::string& words)
 {
