@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExpectOctree.h"
+#include "MemoryLimit.h"
 #include "PointSamples.h"
+#include "Sanitized.h"
 
+#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <limits>
@@ -193,4 +196,25 @@ TEST(TestHashedOctreeFilterBadInput, CoordinatesWithoutAFiniteExtentAreSkipped)
   filter.Update();
   filter.ExpectWarning("2 of 4 points");
   ExpectOctree(filter, OracleOctree({ 1, 2, 3, 4, 5, 6 }));
+}
+
+TEST(TestHashedOctreeFilterBadInput, TooLittleMemoryIsAnError)
+{
+  if (Sanitized)
+  {
+    GTEST_SKIP() << "sanitizers reserve more memory than the limit";
+  }
+  TestedFilter filter(MakeUniformPoints<3, double>(100000, 48));
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false }, // A thread takes more.
+    [&filter]
+    {
+      const MemoryLimit limit(Megabyte);
+      filter->Update();
+    });
+  ASSERT_EQ(filter.Errors.size(), 1U);
+  EXPECT_NE(filter.Errors[0].find("not enough memory"), std::string::npos) << filter.Errors[0];
+  filter.ExpectEmptyOutputs();
+  filter.Errors.clear();
+  filter.PipelineErrors.clear();
+  ExpectToWorkAgain(filter);
 }

@@ -397,6 +397,7 @@ TEST(TestHashedOctreeLocateFilterComposite, BlocksKeepTheirNames)
 
   TestedLocateFilter filter(points, queries);
   filter.UpdateWithoutErrors();
+  EXPECT_FALSE(queries->HasMetaData(0u)) << "the input is left alone";
   for (int port = 0; port < 2; ++port)
   {
     auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(port));

@@ -23,6 +23,19 @@ TEST(TestHashedOctreeLocateFilterExecution, ProgressMovesThroughTheWholeRun)
   filter.ExpectProgressInSteps(0.25);
 }
 
+TEST(TestHashedOctreeLocateFilterExecution, ProgressDoesNotFallWhereCoordinatesAreCopied)
+{
+  const auto integers = MakePolyData(MakeUniformPoints<3, double>(200000, 366, 0.0, 1e6), VTK_INT);
+  for (const int copied : { 0, 1 })
+  {
+    TestedLocateFilter filter;
+    filter->SetInputData(copied, integers);
+    filter->SetInputData(1 - copied, MakeMany(367));
+    filter.Update();
+    filter.ExpectProgressInSteps(0.25);
+  }
+}
+
 TEST(TestHashedOctreeLocateFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUpdateSucceeds)
 {
   TestedLocateFilter filter(MakeMany(362), MakeMany(363));

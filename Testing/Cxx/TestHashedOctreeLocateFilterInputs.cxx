@@ -93,20 +93,23 @@ TEST(TestHashedOctreeLocateFilterInputs, BothInputsAreRequired)
 
 TEST(TestHashedOctreeLocateFilterInputs, AnEmptyPieceIsNoError)
 {
-  for (const int empty : { 0, 1 })
+  for (const auto& nothing : { MakePolyData({}), vtkSmartPointer<vtkPolyData>::New() })
   {
-    TestedLocateFilter filter;
-    filter->SetInputData(empty, MakePolyData({}));
-    filter->SetInputData(1 - empty, MakeUniform(10, 346));
-    filter->UpdatePiece(1, 4, 0);
-    EXPECT_EQ(filter.Errors, std::vector<std::string>());
-    EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
-    EXPECT_EQ(filter.Warnings, std::vector<std::string>());
-    EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 0);
-    if (empty == 1)
+    for (const int empty : { 0, 1 })
     {
-      EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), 0);
-      EXPECT_EQ(filter.GetTableValue("Root", "MeasuredMean"), 0);
+      TestedLocateFilter filter;
+      filter->SetInputData(empty, nothing);
+      filter->SetInputData(1 - empty, MakeUniform(10, 346));
+      filter->UpdatePiece(1, 4, 0);
+      EXPECT_EQ(filter.Errors, std::vector<std::string>());
+      EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+      EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+      EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 0);
+      if (empty == 1)
+      {
+        EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), 0);
+        EXPECT_EQ(filter.GetTableValue("Root", "MeasuredMean"), 0);
+      }
     }
   }
 }

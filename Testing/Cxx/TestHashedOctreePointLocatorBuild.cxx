@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // When the tree is built, what of, and what the locator then tells of it.
+#include "PointIndex.h"
 #include "PointSamples.h"
 #include "TestedLocator.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkVersionMacros.h"
@@ -244,6 +246,9 @@ TEST(TestHashedOctreePointLocatorBuild, StartDepthsDoNotRebuild)
   };
   change();
   EXPECT_EQ(locator.Use(), 0U);
+  const vtkMTimeType modified = locator->GetMTime();
+  locator->SetFixedStartDepth(5); // As it is.
+  EXPECT_EQ(locator->GetMTime(), modified);
   // But they must not hide that a build is due.
   locator.GetCloud()->Modified();
   change();
@@ -307,6 +312,28 @@ TEST(TestHashedOctreePointLocatorBuild, TellsOfItsTree)
   locator->FreeSearchStructure();
   EXPECT_EQ(locator->GetIndexBytes(), 0);
   EXPECT_EQ(locator->GetNumberOfBuckets(), 0);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, TooManyPointsAreAnError)
+{
+  if (sizeof(hashedoctree::PointIndex) > 4)
+  {
+    GTEST_SKIP() << "no memory holds too many for 64 bits";
+  }
+  // The number alone is looked at, so that one point does for all.
+  const vtkIdType count = (vtkIdType(1) << 32) - 1;
+  float x[3] = { 0.0F, 0.0F, 0.0F };
+  vtkNew<vtkFloatArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetArray(x, 3 * count, /*save=*/1);
+  const auto cloud = MakePointCloud<float>({});
+  cloud->GetPoints()->SetData(coordinates);
+  TestedLocator locator(cloud);
+  locator->BuildLocator();
+  ASSERT_EQ(locator.Errors.size(), 1U);
+  EXPECT_NE(locator.Errors[0].find("32 bits"), std::string::npos) << locator.Errors[0];
+  locator.Errors.clear();
+  locator.ExpectToFindNothing();
 }
 
 TEST(TestHashedOctreePointLocatorBuild, ANewInstanceWorks)

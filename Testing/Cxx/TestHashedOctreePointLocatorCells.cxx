@@ -4,6 +4,7 @@
 #include "PointSamples.h"
 #include "TestedLocator.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -155,7 +156,10 @@ TEST(TestHashedOctreePointLocatorCells, TheDataSetItselfMayTakeThem)
 TEST(TestHashedOctreePointLocatorCells, WithoutPointsThereIsNothing)
 {
   TestedLocator locator(MakePointCloud<float>({}));
-  const auto cells = MakePointCloud<float>({ 1, 2, 3 }); // To be replaced.
+  const auto cells = MakePointCloud<float>({ 1, 2, 3 }); // To be replaced, with its vertex.
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell({ 0 });
+  cells->SetVerts(vertices);
   for (const int level : { -1, 0, 1 })
   {
     locator->GenerateRepresentation(level, cells);

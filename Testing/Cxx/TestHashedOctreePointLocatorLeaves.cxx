@@ -79,6 +79,7 @@ TEST(TestHashedOctreePointLocatorLeaves, LargerSearchesCostMore)
   locator->SetMaxPointsPerLeaf(4);
   const double x[3] = { 0.4, 0.6, 0.5 };
   EXPECT_EQ(locator->GetClosestNPointsCost(0, x), 0);
+  EXPECT_EQ(locator->GetClosestNPointsCost(-1, x), 0);
   EXPECT_EQ(locator->GetPointsWithinRadiusCost(-1.0, x), 0);
   EXPECT_EQ(locator->GetClosestNPointsCost(1, x), locator->GetClosestPointCost(x));
   vtkIdType last = locator->GetClosestPointCost(x);
@@ -121,4 +122,23 @@ TEST(TestHashedOctreePointLocatorLeaves, SearchesCostLessFromTheMedian)
   const vtkIdType fromMedian = sumUp(vtkHashedOctreePointLocator::Median);
   EXPECT_GT(fromMedian, 0);
   EXPECT_LT(fromMedian, sumUp(vtkHashedOctreePointLocator::Root));
+}
+
+TEST(TestHashedOctreePointLocatorLeaves, CostLessFromLocalStartDepths)
+{
+  const auto coordinates = MakeClusteredPoints<3, double>(3000, 194);
+  TestedLocator locator(MakePointCloud(coordinates));
+  locator->SetMaxPointsPerLeaf(4);
+  locator->SetFrequencyModel(vtkHashedOctreePointLocator::Points);
+  const auto sumUp = [&](int model)
+  {
+    locator->SetStartDepthModel(model);
+    vtkIdType sum = 0;
+    for (std::size_t i = 0; i < coordinates.size(); i += 3)
+    {
+      sum += locator->GetHitCost(&coordinates[i]);
+    }
+    return sum;
+  };
+  EXPECT_LT(sumUp(vtkHashedOctreePointLocator::Local), sumUp(vtkHashedOctreePointLocator::Median));
 }

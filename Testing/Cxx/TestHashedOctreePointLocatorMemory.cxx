@@ -10,11 +10,31 @@
 #include "vtkIdTypeArray.h"
 #include "vtkSMPTools.h"
 
+#include <cmath>
 #include <memory>
 #include <new>
 
 namespace
 {
+/** While it lives, there is no memory but for a message: what was freed is taken, too, in pieces.
+ */
+class NoMemory
+{
+public:
+  NoMemory()
+  {
+    for (std::unique_ptr<char[]>& piece : this->Taken)
+    {
+      piece.reset(new (std::nothrow) char[65536]);
+    }
+    EXPECT_FALSE(this->Taken.back());
+  }
+
+private:
+  std::vector<std::unique_ptr<char[]>> Taken = std::vector<std::unique_ptr<char[]>>(100000);
+  MemoryLimit Limit{ 0 };
+};
+
 /** There must have been one error, with these words. */
 void ExpectError(TestedLocator& locator, const std::string& words)
 {
@@ -76,6 +96,29 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
   EXPECT_GE(locator->FindClosestPoint(x), 0);
 }
 
+TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAfterItsTreeFindsNothing)
+{
+  // The warning about a point that is not finite comes when the tree is there, but not all of it.
+  std::vector<double> coordinates = MakeUniformPoints<3, double>(100000, 264);
+  coordinates[0] = NAN;
+  TestedLocator locator(MakePointCloud(coordinates));
+  locator->SetMaxPointsPerLeaf(1);
+  locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
+  struct Observer
+  {
+    std::unique_ptr<NoMemory> Taken;
+    void Take(vtkObject*, unsigned long, void*) { this->Taken = std::make_unique<NoMemory>(); }
+    void GiveBack(vtkObject*, unsigned long, void*) { this->Taken.reset(); }
+  } observer;
+  locator->AddObserver(vtkCommand::WarningEvent, &observer, &Observer::Take);
+  locator->AddObserver(vtkCommand::ErrorEvent, &observer, &Observer::GiveBack);
+  locator->BuildLocator();
+  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for the index"));
+  locator.ExpectWarningOfSkippedPoints(1);
+  locator.ExpectToFindNothing();
+  EXPECT_EQ(locator->GetNumberOfBuckets(), 0);
+}
+
 TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearchesFindTheSame)
 {
   TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(20000, 263)));
@@ -83,18 +126,28 @@ TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearche
   const double x[3] = { 0.5, 0.5, 0.5 };
   const vtkIdType closest = locator->FindClosestPoint(x);
   {
-    // What the build has freed is taken, too, in pieces that leave room for the message.
-    std::vector<std::unique_ptr<char[]>> taken(100000);
-    const MemoryLimit limit(0);
-    for (std::unique_ptr<char[]>& piece : taken)
-    {
-      piece.reset(new (std::nothrow) char[65536]);
-    }
-    ASSERT_FALSE(taken.back());
+    const NoMemory noMemory;
     locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
   }
   ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for local start depths"));
   EXPECT_EQ(locator->FindClosestPoint(x), closest);
+}
+
+TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
+{
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(20000, 265)));
+  locator->SetMaxPointsPerLeaf(1);
+  locator->BuildLocator();
+  vtkSMPTools::SetBackend("Sequential");
+  vtkNew<vtkPolyData> boxes;
+  locator->GenerateRepresentation(0, boxes);
+  EXPECT_EQ(boxes->GetNumberOfCells(), 1);
+  {
+    const NoMemory noMemory;
+    locator->GenerateRepresentation(-1, boxes);
+  }
+  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for the boxes"));
+  EXPECT_EQ(boxes->GetNumberOfCells(), 0);
 }
 
 TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatFindsTooMuchIsEmpty)

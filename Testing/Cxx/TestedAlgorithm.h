@@ -84,10 +84,10 @@ public:
       EXPECT_LE(this->Progress[i] - this->Progress[i - 1], most) << this->Progress[i];
     }
   }
-  /** Runs it, and expects one error that says `words`, and no warning. */
+  /** Runs it, and expects one error that says `words`, no warning, and that the pipeline knows. */
   void UpdateExpectingError(const std::string& words)
   {
-    this->Filter->Update();
+    EXPECT_FALSE(this->Filter->GetExecutive()->Update());
     ASSERT_EQ(this->Errors.size(), 1U);
     EXPECT_NE(this->Errors[0].find(words), std::string::npos) << this->Errors[0];
     EXPECT_EQ(this->Warnings, std::vector<std::string>());

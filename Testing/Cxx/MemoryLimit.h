@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Testing_Support_MemoryLimit_h
-#define Testing_Support_MemoryLimit_h
+#ifndef Testing_Cxx_MemoryLimit_h
+#define Testing_Cxx_MemoryLimit_h
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -10,8 +10,8 @@
 
 constexpr std::size_t Megabyte = std::size_t(1) << 20;
 
-/** While it lives, this process gets so many more bytes and no more. Not for sanitizers, which
- * reserve more addresses than any limit here. */
+/** While it lives, this process gets so many more bytes and no more. Not with a sanitizer, which
+ * reserves more addresses than any limit. */
 class MemoryLimit
 {
 public:
