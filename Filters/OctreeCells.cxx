@@ -2,8 +2,8 @@
 #include "OctreeCells.h"
 
 #include "DirectSearch.h"
-#include "LargePages.h"
 #include "NodeCorners.h"
+#include "ResizeArray.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -26,23 +26,15 @@ namespace
 {
 constexpr std::size_t Grain = 512; // Nodes or corners that a thread does at a time.
 
-/** Up to so many nodes, all ids of their cells fit into 32 bits and take half the memory. */
-constexpr std::size_t MaxNodesWithShortIds = std::size_t(1) << 27;
-
-/** Gives an array its size, in memory that nothing has been written to. */
-template <typename Array>
-void Resize(Array* array, std::size_t size)
-{
-  array->SetNumberOfValues(static_cast<vtkIdType>(size));
-  UseLargePages(array->GetPointer(0), size * sizeof(typename Array::ValueType));
-}
+/** Below so many nodes, all ids of their cells fit into 32 bits and take half the memory. */
+constexpr std::size_t NodesWithLongIds = std::size_t(1) << 27;
 
 template <typename Array>
 vtkNew<Array> MakeArray(const char* name, std::size_t size)
 {
   vtkNew<Array> array;
   array->SetName(name);
-  Resize(array.Get(), size);
+  ResizeArray(array.Get(), size);
   return array;
 }
 
@@ -66,7 +58,7 @@ vtkNew<vtkPoints> MakePoints(const Grid<Dim>& grid, const TreeFrame<Dim>& frame,
 {
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);
-  Resize(coordinates.Get(), 3 * corners.GetNumberOfCorners());
+  ResizeArray(coordinates.Get(), 3 * corners.GetNumberOfCorners());
   double* x = coordinates->GetPointer(0);
   ForEach(corners.GetNumberOfCorners(), execution,
     [&grid, &frame, &corners, x](std::size_t i)
@@ -82,7 +74,7 @@ void SetCells(vtkCellArray* cells, std::size_t numberOfCells, std::size_t size,
   IdArray* connectivity, const Execution& execution)
 {
   vtkNew<IdArray> offsets;
-  Resize(offsets.Get(), numberOfCells + 1);
+  ResizeArray(offsets.Get(), numberOfCells + 1);
   ForEach(numberOfCells + 1, execution,
     [&offsets, size](std::size_t i)
     {
@@ -114,7 +106,7 @@ struct CellShape<3>
 template <int Dim>
 void OctreeCells<Dim>::MakeVoxels(vtkUnstructuredGrid* output, const Execution& execution) const
 {
-  this->Listed.GetSize() <= MaxNodesWithShortIds
+  this->Listed.GetSize() < NodesWithLongIds
     ? this->template FillVoxels<vtkTypeInt32Array>(output, execution)
     : this->template FillVoxels<vtkTypeInt64Array>(output, execution);
 }
@@ -122,7 +114,7 @@ void OctreeCells<Dim>::MakeVoxels(vtkUnstructuredGrid* output, const Execution& 
 template <int Dim>
 void OctreeCells<Dim>::MakeOutlines(vtkPolyData* output, const Execution& execution) const
 {
-  this->Listed.GetSize() <= MaxNodesWithShortIds
+  this->Listed.GetSize() < NodesWithLongIds
     ? this->template FillOutlines<vtkTypeInt32Array>(output, execution)
     : this->template FillOutlines<vtkTypeInt64Array>(output, execution);
 }
@@ -135,7 +127,7 @@ void OctreeCells<Dim>::FillVoxels(vtkUnstructuredGrid* output, const Execution& 
   constexpr std::size_t size = NodeCorners<Dim>::CornersOfNode;
   this->AddArrays(output, execution.Part(0.0, 0.2));
   vtkNew<IdArray> connectivity;
-  Resize(connectivity.Get(), nodes.GetSize() * size);
+  ResizeArray(connectivity.Get(), nodes.GetSize() * size);
   const NodeCorners<Dim> corners(nodes, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
   output->SetPoints(
     MakePoints(this->Tree.GetGrid(), this->Frame, corners, execution.Part(0.8, 0.9)));
@@ -143,7 +135,7 @@ void OctreeCells<Dim>::FillVoxels(vtkUnstructuredGrid* output, const Execution& 
   SetCells(cells.Get(), nodes.GetSize(), size, connectivity.Get(), execution.Part(0.9, 0.95));
   // Not SetCells(type, cells), which fills the types without heeding an abort.
   vtkNew<vtkUnsignedCharArray> types;
-  Resize(types.Get(), nodes.GetSize());
+  ResizeArray(types.Get(), nodes.GetSize());
   ForEach(nodes.GetSize(), execution.Part(0.95, 1.0),
     [&types](std::size_t i) { types->SetValue(static_cast<vtkIdType>(i), CellShape<Dim>::Type); });
   output->SetCells(types, cells);
@@ -163,7 +155,7 @@ void OctreeCells<Dim>::FillOutlines(vtkPolyData* output, const Execution& execut
   output->SetPoints(
     MakePoints(this->Tree.GetGrid(), this->Frame, corners, execution.Part(0.7, 0.8)));
   vtkNew<IdArray> connectivity;
-  Resize(connectivity.Get(), nodes.GetSize() * size);
+  ResizeArray(connectivity.Get(), nodes.GetSize() * size);
   Id* path = connectivity->GetPointer(0);
   ForEach(nodes.GetSize(), execution.Part(0.8, 0.9),
     [&voxels, outline, path](std::size_t node)

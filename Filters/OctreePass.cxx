@@ -13,6 +13,7 @@
 #include "vtkPointSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
@@ -152,10 +153,11 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
   return ports;
 }
 
-bool OctreePass::IsPiece(vtkInformationVector* outputVector)
+bool OctreePass::IsPiece(vtkInformation* request, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* information = outputVector->GetInformationObject(0);
+  const int port = std::max(request->Get(Pipeline::FROM_OUTPUT_PORT()), 0); // 0 also if unknown.
+  vtkInformation* information = outputVector->GetInformationObject(port);
   return information->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
     information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
 }

@@ -13,6 +13,7 @@
 class vtkDataObject;
 class vtkDataObjectTree;
 class vtkHashedOctreeAlgorithm;
+class vtkInformation;
 class vtkInformationVector;
 class vtkPointSet;
 
@@ -53,16 +54,17 @@ public:
   }
   /** The same with the output ports for targets. */
   template <typename Function>
-  void Execute(
-    vtkDataObject* input, vtkInformationVector* outputVector, const Function& makeOutputs)
+  void Execute(vtkDataObject* input, vtkInformation* request, vtkInformationVector* outputVector,
+    const Function& makeOutputs)
   {
-    this->Execute(input, GetPorts(outputVector), IsPiece(outputVector), makeOutputs);
+    this->Execute(input, GetPorts(outputVector), IsPiece(request, outputVector), makeOutputs);
   }
 
   static Targets GetPorts(vtkInformationVector* outputVector);
 
-  /** Whether other processes, or other updates, have the rest of a distributed data set. */
-  static bool IsPiece(vtkInformationVector* outputVector);
+  /** Whether other processes, or other updates, have the rest of a distributed data set: what the
+   * output says that the request came from. */
+  static bool IsPiece(vtkInformation* request, vtkInformationVector* outputVector);
 
 private:
   using MakeOutputs = std::function<Outputs(const AnyPointsOctree&, const Execution&)>;

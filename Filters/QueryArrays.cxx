@@ -2,6 +2,7 @@
 #include "QueryArrays.h"
 
 #include "LeafNumbers.h"
+#include "ResizeArray.h"
 
 #include "vtkDataSet.h"
 #include "vtkIdTypeArray.h"
@@ -25,7 +26,7 @@ Array* AddPointArray(vtkDataSet* dataSet, const char* name)
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(dataSet->GetNumberOfPoints());
+  ResizeArray(array.Get(), static_cast<std::size_t>(dataSet->GetNumberOfPoints()));
   dataSet->GetPointData()->AddArray(array);
   return array;
 }

@@ -27,7 +27,7 @@ int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(reque
 {
   if (vtkDataObject::GetData(inputVector[0]) == nullptr)
   {
-    return 0;
+    return 1; // What is missing, the pipeline says next.
   }
   const int composite = this->GetTypeOfComposite(inputVector);
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
@@ -35,7 +35,7 @@ int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(reque
     const int single = this->GetTypeOfOutput(port, inputVector);
     if (single < 0)
     {
-      return 0;
+      return 1;
     }
     vtkDataObjectAlgorithm::SetOutputDataObject(
       composite < 0 ? single : composite, outputVector->GetInformationObject(port), /*exact=*/true);

@@ -136,8 +136,8 @@ int vtkHashedOctreeFilter::GetTypeOfOutput(int port, vtkInformationVector** vtkN
   return port == 0 ? cells : VTK_TABLE;
 }
 
-int vtkHashedOctreeFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkHashedOctreeFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return RunReportingProblems(this, outputVector,
     [&]
@@ -149,7 +149,7 @@ int vtkHashedOctreeFilter::RequestData(vtkInformation* vtkNotUsed(request),
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
       OctreePass(this, root)
-        .Execute(vtkDataObject::GetData(inputVector[0]), outputVector, Run(this));
+        .Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector, Run(this));
     });
 }
 

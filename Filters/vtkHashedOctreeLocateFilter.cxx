@@ -63,10 +63,11 @@ public:
   }
 
   /** Ports 0 and 1. Throws std::exception with what to tell the user, and Interrupted. */
-  void Execute(vtkDataObject* points, vtkDataObject* queries, vtkInformationVector* outputVector)
+  void Execute(vtkDataObject* points, vtkDataObject* queries, vtkInformation* request,
+    vtkInformationVector* outputVector)
   {
     const QueryBlocks blocks(points, queries, outputVector);
-    this->IsPiece = OctreePass::IsPiece(outputVector);
+    this->IsPiece = OctreePass::IsPiece(request, outputVector);
     std::uint64_t all = 0;
     for (vtkDataSet* block : blocks.Get())
     {
@@ -250,13 +251,13 @@ int vtkHashedOctreeLocateFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(
   return 1;
 }
 
-int vtkHashedOctreeLocateFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkHashedOctreeLocateFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return RunReportingProblems(this, outputVector,
     [&]
     {
       Run(this).Execute(vtkDataObject::GetData(inputVector[0]),
-        vtkDataObject::GetData(inputVector[1]), outputVector);
+        vtkDataObject::GetData(inputVector[1]), request, outputVector);
     });
 }

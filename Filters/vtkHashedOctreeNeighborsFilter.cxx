@@ -216,18 +216,18 @@ int vtkHashedOctreeNeighborsFilter::GetTypeOfOutput(
   return VTK_UNSTRUCTURED_GRID;
 }
 
-int vtkHashedOctreeNeighborsFilter::RequestData(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+int vtkHashedOctreeNeighborsFilter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return RunReportingProblems(this, outputVector,
     [&]
     {
       Run run(this);
       run.RequireQuery();
-      OctreePass(this).Execute(vtkDataObject::GetData(inputVector[0]), outputVector,
+      OctreePass(this).Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
         [&run](const auto& octree, const Execution& execution)
         { return run.Process(octree, execution); });
-      run.CheckQueryLeaves(OctreePass::IsPiece(outputVector));
+      run.CheckQueryLeaves(OctreePass::IsPiece(request, outputVector));
     });
 }
 

@@ -10,6 +10,7 @@
 #include "PointBatch.h"
 #include "PointsAdaptor.h"
 #include "PropertyModels.h"
+#include "ResizeArray.h"
 #include "ThreadTeam.h"
 
 #include "vtkDataSet.h"
@@ -59,10 +60,11 @@ public:
   static constexpr auto PointsOfSet = &PartsOfSet::Points;
 };
 
-void SetSize(vtkDataArray* array, int components, std::size_t tuples)
+template <typename Array>
+void SetSize(Array* array, int components, std::size_t tuples)
 {
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
+  ResizeArray(array, static_cast<std::size_t>(components) * tuples);
 }
 }
 

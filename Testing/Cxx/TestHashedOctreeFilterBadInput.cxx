@@ -63,11 +63,19 @@ TEST(TestHashedOctreeFilterBadInput, NoFinitePointIsAnError)
 
 TEST(TestHashedOctreeFilterBadInput, AnEmptyPieceIsNoError)
 {
-  TestedFilter filter(std::vector<double>{});
-  filter->UpdatePiece(1, 4, 0);
-  EXPECT_EQ(filter.Errors, std::vector<std::string>());
-  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
-  filter.ExpectEmptyOutputs();
+  for (const int port : { 0, 1, 2 })
+  {
+    TestedFilter filter(std::vector<double>{});
+    filter.UpdatePiece(port, 1, 4);
+    EXPECT_EQ(filter.Errors, std::vector<std::string>());
+    EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+    filter.ExpectEmptyOutputs();
+
+    filter.UpdatePiece((port + 1) % 3, 0, 1);
+    EXPECT_EQ(filter.Errors.size(), 1U) << "of the whole input it is one";
+    filter.Errors.clear();
+    filter.PipelineErrors.clear();
+  }
 }
 
 TEST(TestHashedOctreeFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarning)

@@ -85,7 +85,9 @@ TEST(TestHashedOctreeLocateFilterInputs, BothInputsAreRequired)
     TestedLocateFilter filter;
     filter->SetInputData(1 - missing, MakeUniform(10, 345));
     EXPECT_FALSE(filter->GetExecutive()->Update());
-    EXPECT_EQ(filter.PipelineErrors.size(), 1U);
+    ASSERT_EQ(filter.PipelineErrors.size(), 1U);
+    const std::string words = "Input port " + std::to_string(missing);
+    EXPECT_NE(filter.PipelineErrors[0].find(words), std::string::npos) << filter.PipelineErrors[0];
     filter.PipelineErrors.clear();
     ExpectToWorkAgain(filter);
   }
@@ -95,12 +97,12 @@ TEST(TestHashedOctreeLocateFilterInputs, AnEmptyPieceIsNoError)
 {
   for (const auto& nothing : { MakePolyData({}), vtkSmartPointer<vtkPolyData>::New() })
   {
-    for (const int empty : { 0, 1 })
+    for (const auto& [empty, port] : { std::pair(0, 0), { 0, 1 }, { 1, 0 }, { 1, 1 } })
     {
       TestedLocateFilter filter;
       filter->SetInputData(empty, nothing);
       filter->SetInputData(1 - empty, MakeUniform(10, 346));
-      filter->UpdatePiece(1, 4, 0);
+      filter.UpdatePiece(port, 1, 4);
       EXPECT_EQ(filter.Errors, std::vector<std::string>());
       EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
       EXPECT_EQ(filter.Warnings, std::vector<std::string>());

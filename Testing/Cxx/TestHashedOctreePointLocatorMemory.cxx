@@ -150,6 +150,21 @@ TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
   EXPECT_EQ(boxes->GetNumberOfCells(), 0);
 }
 
+TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatAsksForTooMuchIsEmpty)
+{
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(10, 266)));
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->SetNumberOfTuples(100000);
+  queries->Fill(0.5);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  EXPECT_FALSE(locator->FindClosestNPoints(std::numeric_limits<int>::max(), queries, ids, dist2));
+  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the batch finds"));
+  EXPECT_EQ(ids->GetNumberOfTuples(), 0);
+  EXPECT_EQ(dist2->GetNumberOfTuples(), 0);
+}
+
 TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatFindsTooMuchIsEmpty)
 {
   // All points for each of the positions: half a gigabyte.

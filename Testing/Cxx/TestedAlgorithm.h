@@ -5,10 +5,13 @@
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -71,6 +74,18 @@ public:
     this->Filter->Update();
     EXPECT_EQ(this->Errors, std::vector<std::string>());
     EXPECT_EQ(this->PipelineErrors, std::vector<std::string>());
+  }
+  /** Runs it for a piece of an output. */
+  void UpdatePiece(int port, int piece, int numberOfPieces)
+  {
+    using Pipeline = vtkStreamingDemandDrivenPipeline;
+    vtkNew<vtkInformationVector> requests;
+    requests->SetNumberOfInformationObjects(this->Filter->GetNumberOfOutputPorts());
+    vtkInformation* request = requests->GetInformationObject(port);
+    request->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+    request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), numberOfPieces);
+    request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    Pipeline::SafeDownCast(this->Filter->GetExecutive())->Update(port, requests);
   }
   /** Its progress must have gone from 0 to 1, and no step of it further than `most`. */
   void ExpectProgressInSteps(double most) const
