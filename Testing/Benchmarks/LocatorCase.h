@@ -14,6 +14,7 @@ enum class Operation
   Closest,
   Closest8,
   Closest32,
+  Closest100,
   Radius
 };
 
@@ -21,8 +22,28 @@ enum class Operation
 inline const std::vector<std::string>& GetOperationNames()
 {
   static const std::vector<std::string> names{ "build", "closest", "closest8", "closest32",
-    "radius" };
+    "closest100", "radius" };
   return names;
+}
+
+/** How many points an operation asks for; 0 where it does not. */
+inline int GetNumberOfClosest(Operation operation)
+{
+  switch (operation)
+  {
+    case Operation::Closest:
+      return 1;
+    case Operation::Closest8:
+      return 8;
+    case Operation::Closest32:
+      return 32;
+    case Operation::Closest100:
+      return 100;
+    case Operation::Build:
+    case Operation::Radius:
+      break;
+  }
+  return 0;
 }
 
 inline const std::vector<std::string>& GetQueryNames()

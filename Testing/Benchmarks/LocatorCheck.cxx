@@ -50,9 +50,7 @@ LocatorCheck::Distances2 LocatorCheck::CompareWithEveryPoint(const Position& x) 
     std::sort(all.begin(), all.end());
     return all;
   }
-  const std::ptrdiff_t count = this->What.What == Operation::Closest ? 1
-    : this->What.What == Operation::Closest8                         ? 8
-                                                                     : 32;
+  const int count = GetNumberOfClosest(this->What.What);
   std::partial_sort(all.begin(), all.begin() + count, all.end());
   all.resize(static_cast<std::size_t>(count));
   return all;

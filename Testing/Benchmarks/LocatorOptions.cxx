@@ -164,7 +164,6 @@ LocatorOptions ReadOptions(const std::vector<std::string>& arguments)
 {
   LocatorOptions options;
   std::map<std::string, Setter> setters = MakeSetters();
-  setters["--operations"](options, Join(GetOperationNames()));
   setters["--peers"](options, Join(GetPeerNames()));
   for (std::size_t i = 0; i < arguments.size(); ++i)
   {
@@ -225,7 +224,7 @@ std::string GetHelp()
     "; default: all but ordered\n"
     "  --operations LIST       of " +
     Join(GetOperationNames()) +
-    "\n"
+    "; default: all but closest100\n"
     "  --peers LIST            of " +
     Join(GetPeerNames()) + "; " + GetPeerKinds()[0].Name +
     " always takes part\n"
@@ -233,7 +232,7 @@ std::string GetHelp()
     "  --repetition-time S     seconds after which a repetition stops counting; default 0.04\n"
     "  --terrain FILE          that Data/make_terrain.py wrote; for the data set terrain\n"
     "  --output DIRECTORY      default: the current one\n"
-    "A list has commas and no blanks; without it, all unless told. Google Benchmark's options work "
+    "A list has commas and no blanks; without one of peers, all. Google Benchmark's options work "
     "too:\n";
 }
 }

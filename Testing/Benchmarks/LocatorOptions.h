@@ -13,7 +13,8 @@ struct LocatorOptions
     "outlier" };
   std::vector<std::size_t> Sizes{ 10000, 100000, 1000000 };
   std::vector<std::string> Queries{ "near", "uniform" };
-  std::vector<Operation> Operations;
+  std::vector<Operation> Operations{ Operation::Build, Operation::Closest, Operation::Closest8,
+    Operation::Closest32, Operation::Radius };
   std::vector<int> Threads{ 1, 2 };
   /** The first is the one that the others are compared with. */
   std::vector<std::string> Peers;

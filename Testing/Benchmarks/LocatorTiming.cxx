@@ -46,10 +46,9 @@ void Ask(LocatorPeer& peer, const Question& question, const Position& x, Answer&
       answer.Closest = peer.FindClosest(x);
       break;
     case Operation::Closest8:
-      peer.FindClosest(8, x, answer);
-      break;
     case Operation::Closest32:
-      peer.FindClosest(32, x, answer);
+    case Operation::Closest100:
+      peer.FindClosest(GetNumberOfClosest(question.What), x, answer);
       break;
     case Operation::Radius:
       peer.FindWithin(question.Radius, x, answer);

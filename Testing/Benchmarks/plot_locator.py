@@ -22,6 +22,7 @@ OPERATIONS = {
     "closest": "Closest point",
     "closest8": "8 closest points",
     "closest32": "32 closest points",
+    "closest100": "100 closest points",
     "radius": "Points within a radius",
 }
 QUERIES = {"near": "near the points", "uniform": "uniform in the box", "ordered": "near, in order", "-": ""}
