@@ -15,10 +15,10 @@
 namespace hashedoctree
 {
 /**
- * Gives an array its number of values, in new memory that nothing has been written to. The number
- * of components must have been set. Throws std::bad_alloc when there is none, and the array is as
- * it was: where VTK is compiled with assertions, as in Debian's ParaView, the array itself would
- * end the program. Private to the module.
+ * Gives an array its number of values, in new memory that nothing has been written to. Throws
+ * std::bad_alloc when there is none, and the array is as it was: where VTK is compiled with
+ * assertions, as in Debian's ParaView, the array itself would end the program. Private to the
+ * module.
  */
 template <typename Array>
 void ResizeArray(Array* array, std::size_t size)

@@ -63,8 +63,8 @@ public:
 template <typename Array>
 void SetSize(Array* array, int components, std::size_t tuples)
 {
-  array->SetNumberOfComponents(components);
   ResizeArray(array, static_cast<std::size_t>(components) * tuples);
+  array->SetNumberOfComponents(components); // For which VTK keeps a tuple, too.
 }
 }
 
