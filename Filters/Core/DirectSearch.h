@@ -42,7 +42,8 @@ struct NodeCount
   void AddNode() { ++this->Nodes; }
 };
 
-/** FindLeaf(); ask(depth) hears early of the nodes that are likely to be examined. */
+/** FindLeaf(); ask(depth) hears early of the nodes that are likely to be examined. Private to it.
+ */
 template <template <int> class Tree, int Dim, typename Count, typename Ask>
 FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth,
   Count& count, EmptyOctants reading, const Ask& ask)
