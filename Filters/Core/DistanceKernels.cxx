@@ -129,7 +129,7 @@ struct Plain
   static unsigned ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
   {
     unsigned mask = 0;
-    ForOctants<T>(boxes, steps, ComputeToBoxes<Dim, T>,
+    ForOctants<T, ComputeToBoxes<Dim, T>>(boxes, steps,
       [&](unsigned octant, T here)
       {
         dist2[octant] = here;
@@ -141,14 +141,14 @@ struct Plain
   static unsigned ToWholeBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit)
   {
     unsigned mask = 0;
-    ForOctants<T>(boxes, steps, ComputeToFarthest<Dim, T>,
-      [&](unsigned octant, T here) { mask |= (here < limit ? 1U : 0U) << octant; });
+    ForOctants<T, ComputeToFarthest<Dim, T>>(
+      boxes, steps, [&](unsigned octant, T here) { mask |= (here < limit ? 1U : 0U) << octant; });
     return mask;
   }
   static float ToFarthestCorner(const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants)
   {
     float least = std::numeric_limits<float>::infinity();
-    ForOctants<float>(boxes, steps, ComputeToFarthest<Dim, float>,
+    ForOctants<float, ComputeToFarthest<Dim, float>>(boxes, steps,
       [&](unsigned octant, float here)
       {
         const bool counts = (octants >> octant & 1U) != 0;
@@ -158,10 +158,15 @@ struct Plain
   }
 
 private:
+  /** What measures the boxes of some octants. */
+  template <typename T>
+  using Compute = void (*)(
+    const OfOctants<Dim, T>*, const OfOctants<Dim, T>*, const double*, OfOctants<Dim, T>&);
+
   /** Calls function(octant, dist2) for the box of each octant. */
-  template <typename T, typename Compute, typename Function>
-  static void ForOctants(const ChildBoxes<Dim>& boxes, const double* steps, const Compute& compute,
-    const Function& function)
+  template <typename T, Compute<T> Measure, typename Function>
+  static void ForOctants(
+    const ChildBoxes<Dim>& boxes, const double* steps, const Function& function)
   {
     constexpr std::size_t width = SomeOctants<Dim, T>;
     for (std::size_t first = 0; first < MortonKey<Dim>::NumberOfOctants; first += width)
@@ -177,7 +182,7 @@ private:
         }
       }
       OfOctants<Dim, T> some;
-      compute(lower, upper, steps, some);
+      Measure(lower, upper, steps, some);
       for (std::size_t i = 0; i < width; ++i)
       {
         function(static_cast<unsigned>(first + i), some[i]);
