@@ -104,7 +104,7 @@ private:
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", startDepth);
     AddFieldValue<vtkDoubleArray>(fieldData, "MeanHitCost", hitCost);
     AddFieldValue<vtkDoubleArray>(fieldData, "MeanRootCost", rootCost);
-    AddFieldValue<vtkDoubleArray>(fieldData, "CostRatio", hitCost > 0 ? rootCost / hitCost : 1.0);
+    AddFieldValue<vtkDoubleArray>(fieldData, "CostRatio", rootCost / hitCost);
     AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfPoints", tree.GetNumberOfPoints());
     AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfNodes", tree.GetNumberOfNodes());
     AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfLeaves", tree.GetNumberOfLeaves());
