@@ -11,6 +11,7 @@ namespace hashedoctree
 PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
   : Count(static_cast<std::size_t>(dataSet->GetNumberOfPoints()))
 {
+  RequirePointIndices(this->Count); // Before they are copied.
   auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
   if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
   {
@@ -46,15 +47,15 @@ template <typename GetPoint>
 void PointsAdaptor::CopyPoints(const GetPoint& getPoint, const Execution& execution)
 {
   constexpr std::size_t grain = 8192; // Points that a thread copies at a time.
-  this->Copy = Buffer<double>(3 * this->Count);
+  this->Copy = Buffer<Position<3>>(this->Count);
   execution.For(this->Count, grain,
     [this, &getPoint](std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        getPoint(static_cast<vtkIdType>(i), &this->Copy[3 * i]);
+        getPoint(static_cast<vtkIdType>(i), this->Copy[i].data());
       }
     });
-  this->Doubles = this->Copy.GetData();
+  this->Doubles = this->Count > 0 ? this->Copy[0].data() : nullptr;
 }
 }

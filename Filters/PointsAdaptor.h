@@ -19,8 +19,10 @@ namespace hashedoctree
 class PointsAdaptor
 {
 public:
-  /** Throws Interrupted while it copies. */
+  /** Throws Interrupted and std::bad_alloc while it copies, before that std::length_error for more
+   * points than can be numbered. */
   PointsAdaptor(vtkDataSet* dataSet, const Execution& execution);
+  /** Throws Interrupted and std::bad_alloc while it copies. */
   PointsAdaptor(vtkDataArray* data, const Execution& execution);
 
   /** Calls function(span) with a PointSpan<3, float> or PointSpan<3, double>. */
@@ -46,7 +48,7 @@ private:
   const float* Floats = nullptr;
   const double* Doubles = nullptr;
   std::size_t Count = 0;
-  Buffer<double> Copy;
+  Buffer<Position<3>> Copy;
 };
 }
 

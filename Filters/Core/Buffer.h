@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -37,6 +38,12 @@ public:
   explicit Buffer(std::size_t size, Memory memory = Memory::Uninitialised)
     : Size(size)
   {
+    // Half of all addresses: the bytes below, and whole large pages of them, can be counted.
+    constexpr std::size_t most = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T);
+    if (size > most)
+    {
+      throw std::bad_alloc();
+    }
     if (size > 0)
     {
       const std::size_t bytes = size * sizeof(T) + alignof(T) - 1;

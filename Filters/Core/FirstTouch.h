@@ -25,7 +25,7 @@ void TouchPages(T* values, std::size_t size, const Execution& execution)
   char* const memory = reinterpret_cast<char*>(values);
   // Where it begins in its first large page, from which bytes are counted.
   const std::size_t begin = reinterpret_cast<std::uintptr_t>(memory) % LargePageSize;
-  const std::size_t end = begin + size * sizeof(T);
+  const std::size_t end = size > 0 ? begin + size * sizeof(T) : 0;
   for (std::size_t done = 0; done < end; done += slice)
   {
     execution.ForChunks(

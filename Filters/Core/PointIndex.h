@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 
 namespace hashedoctree
 {
@@ -18,6 +19,16 @@ using PointIndex = std::uint32_t;
 
 /** More points than this cannot be numbered: the greatest index stands for none. */
 constexpr std::size_t MaxNumberOfPoints = std::numeric_limits<PointIndex>::max() - 1;
+
+/** Throws std::length_error, with what to tell the user, for more points than can be numbered. */
+inline void RequirePointIndices(std::size_t numberOfPoints)
+{
+  if (numberOfPoints > MaxNumberOfPoints)
+  {
+    throw std::length_error("There are more points than 32 bits can number; split the data set, or "
+                            "build with HASHEDOCTREE_64BIT_IDS.");
+  }
+}
 }
 
 #endif

@@ -70,11 +70,7 @@ PointSelection<Dim>::PointSelection(
   Points points, const std::optional<Box<Dim>>& given, const Execution& execution)
   : HasBox(given.has_value())
 {
-  if (points.Count > MaxNumberOfPoints)
-  {
-    throw std::length_error("There are more points than 32 bits can number; split the data set, or "
-                            "build with HASHEDOCTREE_64BIT_IDS.");
-  }
+  RequirePointIndices(points.Count);
   if (given)
   {
     RequireValid(*given);

@@ -42,8 +42,8 @@ private:
   /** Does parts of the loop as long as there are any. Holds the lock in between. */
   void DoParts(std::unique_lock<std::mutex>& lock);
 
-  std::mutex Mutex; ///< Guards all of the following, changes of which it tells.
-  std::condition_variable Changed;
+  std::mutex Mutex;                ///< Guards all of the following.
+  std::condition_variable Changed; ///< Tells of changes of these.
   bool HasLeader = false;
   bool IsDone = false;
   std::exception_ptr Error; ///< Of the loop, then of the computation.

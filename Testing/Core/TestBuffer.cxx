@@ -94,5 +94,12 @@ TEST(TestBuffer, LargeZeroedMemoryGoesBackToTheSystem)
 
 TEST(TestBuffer, MoreThanThereIsThrows)
 {
-  EXPECT_THROW(Buffer<char>(std::size_t(1) << 60, Memory::Zeroed), std::bad_alloc);
+  for (const Memory memory : { Memory::Uninitialised, Memory::Zeroed })
+  {
+    EXPECT_THROW(Buffer<char>(std::size_t(1) << 60, memory), std::bad_alloc);
+    // Bytes that a size_t cannot count, or whose whole pages it cannot.
+    EXPECT_THROW(Buffer<double>(std::size_t(1) << 61, memory), std::bad_alloc);
+    EXPECT_THROW(Buffer<char>(SIZE_MAX, memory), std::bad_alloc);
+    EXPECT_THROW(Buffer<double>(SIZE_MAX / sizeof(double), memory), std::bad_alloc);
+  }
 }
