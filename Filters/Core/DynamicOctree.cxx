@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DynamicOctree.h"
 
+#include "NodeIndex.h"
+
 #include <stdexcept>
 
 namespace hashedoctree
@@ -93,11 +95,7 @@ void DynamicOctree<Dim>::MakeRoom(std::uint32_t id)
 {
   constexpr std::size_t mostNewBlocks = Key::MaxDepth;
   const std::size_t blocks = this->Blocks.size() + mostNewBlocks;
-  if (blocks > 0xffffffffU)
-  {
-    throw std::length_error("The tree would have more nodes than 32 bits can number; allow more "
-                            "points per leaf or less depth.");
-  }
+  RequireNodeIndices(blocks);
   if (id >= this->Points.size())
   {
     this->Points.resize(id + std::size_t(1));

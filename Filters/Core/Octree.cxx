@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Octree.h"
 
+#include "MortonOrder.h"
 #include "OctreeBuilder.h"
 #include "PlaneSpan.h"
 

@@ -4,11 +4,11 @@
 
 #include "DepthTally.h"
 #include "FirstTouch.h"
-#include "MortonOrder.h"
+#include "MortonCodes.h"
+#include "NodeIndex.h"
 #include "Octree.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -131,11 +131,7 @@ private:
         lastBegin = std::max(lastBegin, std::exchange(chunk.LastBegin[depth], lastBegin));
       }
     }
-    if (nodes > 0xffffffffU)
-    {
-      throw std::length_error("The tree would have more nodes than 32 bits can number; allow more "
-                              "points per leaf or less depth.");
-    }
+    RequireNodeIndices(nodes);
     this->Tree.Blocks = Buffer<Block>(nodes, Memory::Zeroed);
     this->Tree.BlockOctants = Buffer<Octants>(nodes);
     this->Tree.BlockKeys = Buffer<Key>(nodes);
