@@ -43,6 +43,7 @@ public:
   {
     if (!this->Nodes.IsRootInternal())
     {
+      this->Examined.AddNode();
       this->ScanLeaf(0, static_cast<PointIndex>(this->Nodes.GetNumberOfPoints()));
       return;
     }

@@ -70,6 +70,9 @@ TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
   EXPECT_EQ(locator->GetDepth(x), 0);
   EXPECT_EQ(locator->GetHitCost(x), 1);
   EXPECT_EQ(locator->GetClosestPointCost(x), 1);
+  EXPECT_EQ(locator->GetClosestNPointsCost(3, x), 1);
+  EXPECT_EQ(locator->GetPointsWithinRadiusCost(1.0, x), 1);
+  EXPECT_EQ(locator->GetPointsWithinBoxCost(box), 1);
   EXPECT_EQ(locator->GetLeafId(notFinite), -1);
 }
 
