@@ -5,6 +5,7 @@
 #include "AlgorithmOptions.h"
 #include "PointsAdaptor.h"
 #include "QuadtreeFrame.h"
+#include "SkippedPoints.h"
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -62,9 +63,7 @@ void OctreePass::ExecuteAny(
   }
   if (this->SkippedPoints > 0)
   {
-    vtkWarningWithObjectMacro(this->Algorithm, << this->SkippedPoints << " of " << this->AllPoints
-                                               << " points have a coordinate that is not finite; "
-                                                  "they are left out.");
+    WarnOfSkippedPoints(this->Algorithm, this->SkippedPoints, this->AllPoints);
   }
   if (this->UsedPoints == 0 && !isPiece)
   {

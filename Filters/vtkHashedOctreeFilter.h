@@ -50,8 +50,9 @@
  * an abort is heeded within a tenth of a second and leaves all outputs empty (VTK keeps
  * AbortExecute set: reset it before the next update). Points with the same cell at MaxDepth share a
  * leaf, however many they are. At most 2^32 - 2 points, unless built with
- * HASHEDOCTREE_64BIT_IDS. Of a distributed data set every process makes the tree of its own piece;
- * give CustomBounds for one grid, by which all of them also have the same dimension and plane.
+ * HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes. Of a distributed data set every process
+ * makes the tree of its own piece; give CustomBounds for one grid, by which all of them also have
+ * the same dimension and plane.
  */
 
 #ifndef vtkHashedOctreeFilter_h

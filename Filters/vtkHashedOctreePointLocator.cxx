@@ -4,16 +4,16 @@
 #include "AlgorithmExecution.h"
 #include "DirectSearch.h"
 #include "FoundOfThread.h"
-#include "LeafNumbers.h"
 #include "NodeList.h"
 #include "OctreeCells.h"
 #include "PointBatch.h"
+#include "PointLocatorIndex.h"
 #include "PointsAdaptor.h"
 #include "PropertyModels.h"
 #include "ResizeArray.h"
+#include "SkippedPoints.h"
 #include "ThreadTeam.h"
 
-#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -21,17 +21,14 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <exception>
 #include <new>
-#include <optional>
-#include <set>
+#include <string>
 #include <variant>
-#include <vector>
 
 using namespace hashedoctree;
 
@@ -47,6 +44,8 @@ static_assert(HasModelsOfCore<vtkHashedOctreePointLocator>() &&
 
 constexpr std::size_t PointsPerThread = 32768; // Fewer take less time than a thread takes to come.
 constexpr double PositionsShare = 0.05; // Of the progress of a batch, while positions are read.
+constexpr const char* NoMemoryForQuery =
+  "There is not enough memory for what the query finds; ask for less.";
 
 Box<3> ToBox(const double bounds[6])
 {
@@ -60,6 +59,34 @@ public:
   static constexpr auto PointsOfSet = &PartsOfSet::Points;
 };
 
+/** For who keeps what an array told of its values. */
+void TellOfChange(std::initializer_list<vtkDataArray*> arrays)
+{
+  for (vtkDataArray* array : arrays)
+  {
+    array->Modified();
+  }
+}
+
+void Empty(std::initializer_list<vtkDataArray*> arrays)
+{
+  for (vtkDataArray* array : arrays)
+  {
+    array->Initialize();
+    array->SetNumberOfComponents(1);
+  }
+  TellOfChange(arrays);
+}
+
+PointIndex GetId(const FoundPoint& point)
+{
+  return point.Id;
+}
+PointIndex GetId(PointIndex id)
+{
+  return id;
+}
+
 template <typename Array>
 void SetSize(Array* array, int components, std::size_t tuples)
 {
@@ -68,66 +95,12 @@ void SetSize(Array* array, int components, std::size_t tuples)
 }
 }
 
-/** The tree over the points, in the precision that they came in. */
-class vtkHashedOctreePointLocator::Index
-{
-public:
-  std::variant<PointTree<3, float>, PointTree<3, double>> Tree;
-  LeafNumbers<3> Leaves;
-  std::optional<Box<3>> Bounds;        ///< Of the points, if there are any.
-  bool IsFailed = false;               ///< There was an error, and no point is found.
-  vtkPointSet* PointSet = nullptr;     ///< The locator's data set, if it is one with points,
-  vtkPoints* PointsOfSet = nullptr;    ///< its points,
-  vtkDataArray* Coordinates = nullptr; ///< and their coordinates.
-
-  /** Remembers what to ask whether the points have changed. */
-  void Watch(vtkDataSet* dataSet)
-  {
-    auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
-    if (pointSet != nullptr && pointSet->GetPoints() != nullptr)
-    {
-      this->PointSet = pointSet;
-      this->PointsOfSet = pointSet->GetPoints();
-      this->Coordinates = this->PointsOfSet->GetData();
-    }
-  }
-
-  /** Calls function(tree). */
-  template <typename Function>
-  decltype(auto) Visit(const Function& function) const
-  {
-    return std::visit(function, this->Tree);
-  }
-  /** Calls function(search). */
-  template <typename Function>
-  auto Search(const Function& function) const
-  {
-    return this->Visit([&function](const auto& tree) { return function(PointSearch(tree)); });
-  }
-  const Octree<3>& GetOctree() const
-  {
-    return this->Visit([](const auto& tree) -> const Octree<3>& { return tree.GetOctree(); });
-  }
-
-  const StartDepths<3>& GetStartDepths() const
-  {
-    return this->Visit(
-      [](const auto& tree) -> const StartDepths<3>& { return tree.GetStartDepths(); });
-  }
-
-  /** Calls function(key at MaxDepth) for a position that has a leaf; else gives `nothing`. */
-  template <typename Function, typename Value>
-  Value AtLeafOf(const double x[3], Value nothing, const Function& function) const
-  {
-    const Octree<3>& tree = this->GetOctree();
-    const bool hasLeaf = tree.GetNumberOfPoints() > 0 && IsFinite(Position<3>{ x[0], x[1], x[2] });
-    return hasLeaf ? static_cast<Value>(function(tree.GetGrid().GetKey(x))) : nothing;
-  }
-};
-
 vtkHashedOctreePointLocator::vtkHashedOctreePointLocator()
 {
   this->MaxLevel = MaxDepthOfKeys;
+  // As FreeSearchStructure() does.
+  this->Level = 0;
+  vtkMath::UninitializeBounds(this->Bounds);
 }
 
 vtkHashedOctreePointLocator::~vtkHashedOctreePointLocator() = default;
@@ -137,7 +110,7 @@ void vtkHashedOctreePointLocator::SetMaxDepth(int depth)
   this->SetMaxLevel(std::min(depth, MaxDepthOfKeys));
 }
 
-int vtkHashedOctreePointLocator::GetMaxDepth()
+int vtkHashedOctreePointLocator::GetMaxDepth() const
 {
   return std::min(this->MaxLevel, MaxDepthOfKeys);
 }
@@ -185,7 +158,7 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
   }
 }
 
-bool vtkHashedOctreePointLocator::IsUpToDate()
+bool vtkHashedOctreePointLocator::IsUpToDate() const
 {
   return this->Built && this->BuildTime > this->MTime &&
     (this->DataSet == nullptr || this->HasSamePoints());
@@ -231,26 +204,24 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
 {
   this->FreeSearchStructure();
   auto index = std::make_unique<Index>();
-  if (this->DataSet != nullptr && this->DataSet->GetNumberOfPoints() > 0)
+  std::string problem;
+  const auto fail = [&index, &problem](const char* text)
   {
-    const auto fail = [this, &index](const char* problem)
-    {
-      *index = Index();
-      index->IsFailed = true;
-      vtkErrorMacro(<< problem);
-    };
-    try
-    {
-      this->Fill(*index);
-    }
-    catch (const std::bad_alloc&)
-    {
-      fail("There is not enough memory for the index of the points; take fewer of them.");
-    }
-    catch (const std::exception& exception)
-    {
-      fail(exception.what());
-    }
+    *index = Index(); // Makes room for the text, too.
+    index->IsFailed = true;
+    problem = text;
+  };
+  try
+  {
+    this->Fill(*index);
+  }
+  catch (const std::bad_alloc&)
+  {
+    fail("There is not enough memory for the index of the points; take fewer of them.");
+  }
+  catch (const std::exception& exception)
+  {
+    fail(exception.what());
   }
   index->Watch(this->DataSet);
   if (index->Bounds)
@@ -265,21 +236,34 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
   }
   this->Built = std::move(index);
   this->BuildTime.Modified();
+
+  // All is built: who hears of this may ask the locator.
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+  else if (this->Built->SkippedPoints > 0)
+  {
+    WarnOfSkippedPoints(this, this->Built->SkippedPoints, this->DataSet->GetNumberOfPoints());
+  }
 }
 
 void vtkHashedOctreePointLocator::Fill(Index& index)
 {
+  if (this->DataSet == nullptr || this->DataSet->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
   const Execution threads = MakeExecution();
   const PointsAdaptor points(this->DataSet, threads);
   Octree<3>::Options options;
   options.MaxPointsPerLeaf = static_cast<std::size_t>(this->MaxPointsPerLeaf);
   options.MaxDepth = this->GetMaxDepth();
-  std::size_t skipped = 0;
   const auto build = [&](auto span, const Execution& execution)
   {
     const PointSelection<3> selection(span, {}, execution);
     index.Tree = PointTree(span, selection, options, execution);
-    skipped = selection.GetNumberOfSkippedPoints();
+    index.SkippedPoints = selection.GetNumberOfSkippedPoints();
     if (selection.GetNumberOfPoints() > 0)
     {
       index.Bounds = selection.GetBox();
@@ -292,11 +276,6 @@ void vtkHashedOctreePointLocator::Fill(Index& index)
       ThreadTeam::Run(threads, std::min(available, 1 + span.Count / PointsPerThread),
         [&](const Execution& execution) { build(span, execution); });
     });
-  if (skipped > 0)
-  {
-    vtkWarningMacro(<< skipped << " of " << this->DataSet->GetNumberOfPoints()
-                    << " points have a coordinate that is not finite; they are left out.");
-  }
   index.Leaves = LeafNumbers<3>(index.GetOctree());
   this->ChooseStartDepths(index);
 }
@@ -352,55 +331,75 @@ vtkIdType vtkHashedOctreePointLocator::FindClosestPointWithinRadius(
   return static_cast<vtkIdType>(found.Id);
 }
 
+template <typename Found, typename Find>
+void vtkHashedOctreePointLocator::FillList(vtkIdList* result, const Find& find)
+{
+  const Index& index = this->GetIndex();
+  try
+  {
+    FoundOfThread<Found> found;
+    index.Search([&](const auto& search) { find(search, found.Get()); });
+    found.CopyTo(result, [](const Found& point) { return GetId(point); });
+  }
+  catch (const std::bad_alloc&)
+  {
+    result->Reset();
+    vtkErrorMacro(<< NoMemoryForQuery);
+  }
+}
+
 void vtkHashedOctreePointLocator::FindClosestNPoints(
   int count, const double x[3], vtkIdList* result)
 {
-  FoundOfThread<FoundPoint> found;
-  this->GetIndex().Search(
-    [&](const auto& search)
-    {
-      search.FindClosest(
-        { x[0], x[1], x[2] }, static_cast<std::size_t>(std::max(count, 0)), found.Get());
+  this->FillList<FoundPoint>(result,
+    [count, x](const auto& search, auto& found) {
+      search.FindClosest({ x[0], x[1], x[2] }, static_cast<std::size_t>(std::max(count, 0)), found);
     });
-  found.CopyTo(result, [](const FoundPoint& point) { return point.Id; });
 }
 
 void vtkHashedOctreePointLocator::FindPointsWithinRadius(
   double radius, const double x[3], vtkIdList* result)
 {
-  FoundOfThread<PointIndex> found;
-  this->GetIndex().Search(
-    [&](const auto& search) {
-      search.FindWithin({ x[0], x[1], x[2] }, radius, found.Get());
+  this->FillList<PointIndex>(result,
+    [radius, x](const auto& search, auto& found) {
+      search.FindWithin({ x[0], x[1], x[2] }, radius, found);
     });
-  found.CopyTo(result, [](PointIndex id) { return id; });
 }
 
 void vtkHashedOctreePointLocator::FindPointsWithinBox(const double bounds[6], vtkIdList* result)
 {
-  FoundOfThread<PointIndex> found;
-  this->GetIndex().Search(
-    [&](const auto& search) { search.FindWithin(ToBox(bounds), found.Get()); });
-  found.CopyTo(result, [](PointIndex id) { return id; });
+  this->FillList<PointIndex>(
+    result, [bounds](const auto& search, auto& found) { search.FindWithin(ToBox(bounds), found); });
+}
+
+bool vtkHashedOctreePointLocator::PrepareBatch(
+  vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs)
+{
+  for (const auto* output = outputs.begin(); output != outputs.end(); ++output)
+  {
+    const bool isTaken = std::find(outputs.begin(), output, *output) != output;
+    if (*output == nullptr || *output == queries || isTaken)
+    {
+      vtkErrorMacro("A batch needs an array of its own for each of its outputs.");
+      return false;
+    }
+  }
+  Empty(outputs);
+  if (queries == nullptr || queries->GetNumberOfComponents() != 3)
+  {
+    vtkErrorMacro("A batch of queries must be an array of three components, one tuple for each.");
+    return false;
+  }
+  this->BatchIsAborted = false; // From here on a build, too, may be when it is.
+  return true;
 }
 
 template <typename Function>
 bool vtkHashedOctreePointLocator::RunBatch(
   vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function)
 {
-  const std::set<vtkDataArray*> arrays(outputs);
-  if (arrays.size() < outputs.size() || arrays.count(nullptr) > 0 || arrays.count(queries) > 0)
+  if (!this->PrepareBatch(queries, outputs))
   {
-    vtkErrorMacro("A batch needs an array of its own for each of its outputs.");
-    return false;
-  }
-  for (vtkDataArray* output : outputs)
-  {
-    output->Initialize();
-  }
-  if (queries == nullptr || queries->GetNumberOfComponents() != 3)
-  {
-    vtkErrorMacro("A batch of queries must be an array of three components, one tuple for each.");
     return false;
   }
   const Index& index = this->GetIndex();
@@ -408,7 +407,12 @@ bool vtkHashedOctreePointLocator::RunBatch(
   {
     return false;
   }
-  this->BatchIsAborted = false;
+  const auto fail = [this, outputs](const char* problem)
+  {
+    Empty(outputs);
+    vtkErrorMacro(<< problem);
+    return false;
+  };
   const Execution execution = MakeExecution(this, this->BatchIsAborted);
   try
   {
@@ -419,24 +423,22 @@ bool vtkHashedOctreePointLocator::RunBatch(
         const PointBatch batch(tree, execution.Part(PositionsShare, 1.0));
         positions.Visit([&](auto span) { function(batch, span); });
       });
+    TellOfChange(outputs);
     return true;
   }
   catch (const std::bad_alloc&)
   {
-    vtkErrorMacro("There is not enough memory for what the batch finds; ask for less at a time.");
+    return fail("There is not enough memory for what the batch finds; ask for less at a time.");
   }
   catch (const std::exception& exception)
   {
-    vtkErrorMacro(<< exception.what());
+    return fail(exception.what());
   }
   catch (const Interrupted&)
   {
+    Empty(outputs);
+    return false;
   }
-  for (vtkDataArray* output : outputs)
-  {
-    output->Initialize();
-  }
-  return false;
 }
 
 bool vtkHashedOctreePointLocator::FindClosestPoints(
@@ -504,36 +506,52 @@ vtkIdType vtkHashedOctreePointLocator::GetHitCost(const double x[3])
     { return CountExaminedNodes(index.GetOctree(), key, index.GetStartDepths().Get(key)); });
 }
 
+template <typename Count>
+vtkIdType vtkHashedOctreePointLocator::CountNodes(const Count& count)
+{
+  const Index& index = this->GetIndex();
+  try
+  {
+    return index.Search(
+      [&count](const auto& search) { return static_cast<vtkIdType>(count(search)); });
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorMacro(<< NoMemoryForQuery);
+    return 0;
+  }
+}
+
 vtkIdType vtkHashedOctreePointLocator::GetClosestPointCost(const double x[3])
 {
-  return this->GetIndex().Search(
+  return this->CountNodes(
     [x](const auto& search) {
-      return static_cast<vtkIdType>(search.CountNodesForClosest({ x[0], x[1], x[2] }));
+      return search.CountNodesForClosest({ x[0], x[1], x[2] });
     });
 }
 
 vtkIdType vtkHashedOctreePointLocator::GetClosestNPointsCost(int count, const double x[3])
 {
-  return this->GetIndex().Search(
-    [&](const auto& search)
+  return this->CountNodes(
+    [count, x](const auto& search)
     {
-      return static_cast<vtkIdType>(search.CountNodesForClosest(
-        { x[0], x[1], x[2] }, static_cast<std::size_t>(std::max(count, 0))));
+      return search.CountNodesForClosest(
+        { x[0], x[1], x[2] }, static_cast<std::size_t>(std::max(count, 0)));
     });
 }
 
 vtkIdType vtkHashedOctreePointLocator::GetPointsWithinRadiusCost(double radius, const double x[3])
 {
-  return this->GetIndex().Search(
-    [&](const auto& search) {
-      return static_cast<vtkIdType>(search.CountNodesForWithin({ x[0], x[1], x[2] }, radius));
+  return this->CountNodes(
+    [radius, x](const auto& search) {
+      return search.CountNodesForWithin({ x[0], x[1], x[2] }, radius);
     });
 }
 
 vtkIdType vtkHashedOctreePointLocator::GetPointsWithinBoxCost(const double bounds[6])
 {
-  return this->GetIndex().Search([&](const auto& search)
-    { return static_cast<vtkIdType>(search.CountNodesForWithin(ToBox(bounds))); });
+  return this->CountNodes(
+    [bounds](const auto& search) { return search.CountNodesForWithin(ToBox(bounds)); });
 }
 
 void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData* pd)

@@ -29,7 +29,7 @@
  * - Lists are always reset first. A squared distance is set exactly when a point is found.
  * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
  *   double (4.4e307), are never found; each build that meets some says so in one warning with their
- *   number.
+ *   number, when it is done.
  * - One point, points that are all equal, few points far from many: all as above. Leaves at depth
  *   21 with more points than they may hold have trees of their own. (With a smaller MaxDepth leaves
  *   are as large as was asked for.) A search looks at all points only where they are equally near:
@@ -37,17 +37,19 @@
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
- * the data set may be changed, emptied or replaced between queries; a change of its cells or
- * attributes alone asks for no new tree. After BuildLocator(), called directly or by
- * a query, the queries are thread safe as long as nothing is modified. The build runs on the
- * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
- * unless built with HASHEDOCTREE_64BIT_IDS; more, or not enough memory, is an error, after which
- * queries find nothing.
+ * the data set may be changed, emptied or replaced between queries. Of a vtkPointSet a change of
+ * cells or attributes alone asks for no new tree; of other data sets every change that GetMTime()
+ * tells of does. (After one in the coordinate arrays of a vtkRectilinearGrid, call its Modified().)
+ * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
+ * nothing is modified. The build runs on the threads of vtkSMPTools; its result does not depend on
+ * their number. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
+ * internal nodes; more, or not enough memory, is an error, after which queries find nothing. A
+ * query that has not enough memory for what it finds is an error, too, and finds nothing.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
- * too (both 0 without points), and Bounds are those of the finite points (uninitialized, as by
- * vtkMath::UninitializeBounds(), without any).
+ * too (both 0 without points), and Bounds are those of the finite points. Without any, and before a
+ * build, they are uninitialized, as by vtkMath::UninitializeBounds().
  */
 
 #ifndef vtkHashedOctreePointLocator_h
@@ -110,7 +112,7 @@ public:
   /** Depth below which nothing is split, in [0, 21]; default 21. It is vtkLocator's MaxLevel under
    * the name that it has elsewhere in the module; a MaxLevel above 21 counts as 21. */
   void SetMaxDepth(int depth);
-  int GetMaxDepth();
+  int GetMaxDepth() const;
   ///@}
 
   ///@{
@@ -138,30 +140,32 @@ public:
   vtkIdType FindClosestPoint(const double x[3]) override;
 
   /** Id of the point closest to x among those within the radius, or -1. `dist2` is set to its
-   * squared distance, and left alone when there is none. Thread safe after a build. */
+   * squared distance, and left alone when there is none. Costs at most what FindClosestPoint()
+   * does. Thread safe after a build. */
   vtkIdType FindClosestPointWithinRadius(double radius, const double x[3], double& dist2) override;
 
   /** Ids of the `count` points closest to x, sorted by distance, then by id; of all points when
-   * there are no more. Thread safe after a build. */
+   * there are no more. Mean cost O(count log count) near the points. Thread safe after a build. */
   void FindClosestNPoints(int count, const double x[3], vtkIdList* result) override;
 
-  /** Ids of the points within the radius of x, in no order to rely on. Thread safe after a build.
-   */
+  /** Ids of the points within the radius of x, in no order to rely on. Costs O(points within, and
+   * nodes that the sphere cuts). Thread safe after a build. */
   void FindPointsWithinRadius(double radius, const double x[3], vtkIdList* result) override;
 
   /** Ids of the points in a box given as (xmin, xmax, ymin, ymax, zmin, zmax), those on its faces
    * included, in no order to rely on. Sides may be infinite; none for a box that is inside out or
-   * has a side that is NaN. Thread safe after a build. */
+   * has a side that is NaN. Costs as above. Thread safe after a build. */
   void FindPointsWithinBox(const double bounds[6], vtkIdList* result);
 
   ///@{
   /**
    * Many searches at once, on the threads of vtkSMPTools. Every search finds what the one of the
    * same name for one position finds. `queries` has three components, of any type; the other
-   * arrays are resized, and must all be different. Fires ProgressEvent with the fraction done of
-   * all but a build; AbortBatch(), called by an observer or from another thread, ends the batch.
-   * Returns whether all was done: if aborted, or after an error (no three components, not enough
-   * memory, a build that failed), all outputs are empty.
+   * arrays get new memory, and must all be different, from `queries` too. Fires ProgressEvent with
+   * the fraction done of all but a build; AbortBatch(), called by an observer or from another
+   * thread, ends the batch, after the build where there is one. Returns whether all was done: if
+   * aborted, or after an error (no three components, not enough memory, a build that failed), all
+   * outputs are empty, with one component.
    * - FindClosestPoints(): one id and squared distance for each position.
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id.
    *   Both: -1 and infinity where there is no (other) point; nothing for a count of 0 or less.
@@ -217,8 +221,10 @@ public:
   /** Builds the tree. O(n). */
   void ForceBuildLocator() override;
 #else
+  /** Builds the tree. O(n). */
   virtual void ForceBuildLocator();
 #endif
+  /** Frees the tree, if any; Level, NumberOfBuckets and Bounds are as before a build. */
   void FreeSearchStructure() override;
 
   /**
@@ -231,10 +237,10 @@ public:
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 
   /** The depth at which searches start, by the properties above; of Local the median of all leaves.
-   * 0 before the first build. */
+   * 0 where there is no tree. */
   int GetStartDepth() const;
 
-  /** Bytes of the whole search structure, copied coordinates included; 0 before the first build. */
+  /** Bytes of the whole search structure, copied coordinates included; 0 where there is no tree. */
   vtkIdType GetIndexBytes() const;
 
 protected:
@@ -242,6 +248,7 @@ protected:
   ~vtkHashedOctreePointLocator() override;
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  /** Builds the tree, then tells of errors and warnings. */
   void BuildLocatorInternal() override;
 #else
   virtual void BuildLocatorInternal();
@@ -255,11 +262,19 @@ private:
 
   /** The index, built if it must be. */
   const Index& GetIndex();
+  /** Replaces a list by what find(search, vector of Found) finds. */
+  template <typename Found, typename Find>
+  void FillList(vtkIdList* result, const Find& find);
+  /** What count(search) counts. */
+  template <typename Count>
+  vtkIdType CountNodes(const Count& count);
+  /** Empties the outputs of a batch; false for arrays that it cannot work with. */
+  bool PrepareBatch(vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs);
   /** Calls function(batch, positions) for the searches of a batch; false if they were not done. */
   template <typename Function>
   bool RunBatch(
     vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function);
-  bool IsUpToDate();
+  bool IsUpToDate() const;
   bool HasSamePoints() const;
   void Fill(Index& index);
   void SetStartDepthProperty(int& property, int value);

@@ -29,7 +29,8 @@ struct Outputs
   }
   bool AreEmpty() const
   {
-    return this->Ids->GetNumberOfValues() == 0 && this->Dist2->GetNumberOfValues() == 0;
+    return this->Ids->GetNumberOfValues() == 0 && this->Dist2->GetNumberOfValues() == 0 &&
+      this->Ids->GetNumberOfComponents() == 1 && this->Dist2->GetNumberOfComponents() == 1;
   }
 };
 
@@ -187,6 +188,48 @@ TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
     EXPECT_NE(locator.Errors[error].find("outputs"), std::string::npos);
   }
   locator.Errors.clear();
+}
+
+TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgotten)
+{
+  TestedLocator locator(MakePointCloud<double>({ 0, 0, 0, 1, 0, 0, 9, 0, 0 }));
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->InsertNextTuple3(8.0, 0.0, 0.0);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  ASSERT_TRUE(locator->FindClosestPoints(queries, ids, dist2));
+  EXPECT_EQ(dist2->GetRange()[1], 1.0);
+  queries->SetTuple3(0, 1.0, 2.0, 0.0);
+  ASSERT_TRUE(locator->FindClosestPoints(queries, ids, dist2));
+  EXPECT_EQ(dist2->GetRange()[1], 4.0);
+
+  const vtkMTimeType before = dist2->GetMTime();
+  queries->SetNumberOfComponents(1);
+  EXPECT_FALSE(locator->FindClosestPoints(queries, ids, dist2));
+  EXPECT_GT(dist2->GetMTime(), before);
+  EXPECT_EQ(locator.Errors.size(), 1U);
+  locator.Errors.clear();
+}
+
+TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
+{
+  TestedLocator locator(MakePointCloud<float>({ NAN, 0, 0, 1, 0, 0 }));
+  struct Observer
+  {
+    vtkHashedOctreePointLocator* Locator;
+    void Abort(vtkObject*, unsigned long, void*) { this->Locator->AbortBatch(); }
+  } observer{ locator.Get() };
+  locator->AddObserver(vtkCommand::WarningEvent, &observer, &Observer::Abort);
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->InsertNextTuple3(8.0, 0.0, 0.0);
+  Outputs outputs;
+  EXPECT_FALSE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+  locator.ExpectWarningOfSkippedPoints(1);
+  EXPECT_TRUE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_EQ(outputs.Ids->GetValue(0), 1);
 }
 
 TEST(TestHashedOctreePointLocatorBatches, TellProgressAndCanBeAborted)

@@ -3,6 +3,7 @@
 // When the tree is built, what of, and what the locator then tells of it.
 #include "PointIndex.h"
 #include "PointSamples.h"
+#include "Sanitized.h"
 #include "TestedLocator.h"
 
 #include "vtkCellData.h"
@@ -73,6 +74,9 @@ TEST(TestHashedOctreePointLocatorBuild, DefaultsAreAsDocumented)
   EXPECT_EQ(locator->GetFixedStartDepth(), 0);
   EXPECT_EQ(locator->GetStartDepth(), 0);
   EXPECT_EQ(locator->GetIndexBytes(), 0);
+  EXPECT_EQ(locator->GetLevel(), 0);
+  EXPECT_EQ(locator->GetNumberOfBuckets(), 0);
+  EXPECT_GT(locator->GetBounds()[4], locator->GetBounds()[5]);
 }
 
 TEST(TestHashedOctreePointLocatorBuild, PropertiesAreClamped)
@@ -332,6 +336,53 @@ TEST(TestHashedOctreePointLocatorBuild, TooManyPointsAreAnError)
   locator->BuildLocator();
   ASSERT_EQ(locator.Errors.size(), 1U);
   EXPECT_NE(locator.Errors[0].find("32 bits"), std::string::npos) << locator.Errors[0];
+  locator.Errors.clear();
+  locator.ExpectToFindNothing();
+}
+
+TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayAskAtOnce)
+{
+  struct Listener
+  {
+    TestedLocator& Asked;
+    std::vector<vtkIdType> Found;
+    void Ask(vtkObject*, unsigned long, void*)
+    {
+      if (this->Found.size() < 3) // If that builds, and so on, without an end.
+      {
+        this->Found.push_back(this->Asked->FindClosestPoint(0.9, 0, 0));
+      }
+    }
+  };
+  TestedLocator ofPoints(MakePointCloud<float>({ 0, 0, 0, NAN, 0, 0, 1, 0, 0 }));
+  Listener warned{ ofPoints, {} };
+  ofPoints->AddObserver(vtkCommand::WarningEvent, &warned, &Listener::Ask);
+  EXPECT_EQ(ofPoints->FindClosestPoint(0.1, 0, 0), 0);
+  EXPECT_EQ(warned.Found, std::vector<vtkIdType>{ 2 });
+  ofPoints.ExpectWarningOfSkippedPoints(1);
+
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(1 << 21, 1 << 20, 1 << 20);
+  TestedLocator ofTooMany(image);
+  Listener failed{ ofTooMany, {} };
+  ofTooMany->AddObserver(vtkCommand::ErrorEvent, &failed, &Listener::Ask);
+  EXPECT_EQ(ofTooMany->FindClosestPoint(0.1, 0, 0), -1);
+  EXPECT_EQ(failed.Found, std::vector<vtkIdType>{ -1 });
+  EXPECT_EQ(ofTooMany.Errors.size(), 1U);
+  ofTooMany.Errors.clear();
+}
+
+TEST(TestHashedOctreePointLocatorBuild, MorePointsThanCanBeCopiedAreAnError)
+{
+  if (sizeof(hashedoctree::PointIndex) > 4 && Sanitized)
+  {
+    GTEST_SKIP() << "sanitizers end the program where there is not enough memory";
+  }
+  vtkNew<vtkImageData> image; // As a data set without an array of points; 24 bytes for each are
+  image->SetDimensions(1 << 21, 1 << 20, 1 << 20); // more than a size_t can count.
+  TestedLocator locator(image);
+  EXPECT_EQ(locator->FindClosestPoint(1.0, 1.0, 1.0), -1);
+  EXPECT_EQ(locator.Errors.size(), 1U);
   locator.Errors.clear();
   locator.ExpectToFindNothing();
 }

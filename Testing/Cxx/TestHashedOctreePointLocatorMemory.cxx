@@ -10,7 +10,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkSMPTools.h"
 
-#include <cmath>
+#include <functional>
 #include <memory>
 #include <new>
 
@@ -96,27 +96,44 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
   EXPECT_GE(locator->FindClosestPoint(x), 0);
 }
 
-TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAfterItsTreeFindsNothing)
+TEST_F(TestHashedOctreePointLocatorMemory, AQueryThatFindsTooMuchFindsNothing)
 {
-  // The warning about a point that is not finite comes when the tree is there, but not all of it.
-  std::vector<double> coordinates = MakeUniformPoints<3, double>(100000, 264);
-  coordinates[0] = NAN;
-  TestedLocator locator(MakePointCloud(coordinates));
-  locator->SetMaxPointsPerLeaf(1);
-  locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
-  struct Observer
-  {
-    std::unique_ptr<NoMemory> Taken;
-    void Take(vtkObject*, unsigned long, void*) { this->Taken = std::make_unique<NoMemory>(); }
-    void GiveBack(vtkObject*, unsigned long, void*) { this->Taken.reset(); }
-  } observer;
-  locator->AddObserver(vtkCommand::WarningEvent, &observer, &Observer::Take);
-  locator->AddObserver(vtkCommand::ErrorEvent, &observer, &Observer::GiveBack);
+  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(1000000, 264)));
   locator->BuildLocator();
-  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for the index"));
-  locator.ExpectWarningOfSkippedPoints(1);
-  locator.ExpectToFindNothing();
-  EXPECT_EQ(locator->GetNumberOfBuckets(), 0);
+  const double x[3] = { 0.5, 0.5, 0.5 };
+  const double box[6] = { -9, 9, -9, 9, -9, 9 };
+  const std::function<vtkIdType(vtkIdList*)> queries[] = {
+    [&](vtkIdList* found)
+    {
+      locator->FindClosestNPoints(900000, x, found);
+      return found->GetNumberOfIds();
+    },
+    [&](vtkIdList* found)
+    {
+      locator->FindPointsWithinRadius(9.0, x, found);
+      return found->GetNumberOfIds();
+    },
+    [&](vtkIdList* found)
+    {
+      locator->FindPointsWithinBox(box, found);
+      return found->GetNumberOfIds();
+    },
+    [&](vtkIdList*) { return locator->GetClosestNPointsCost(900000, x); },
+    [&](vtkIdList*) { return locator->GetPointsWithinRadiusCost(9.0, x); },
+    [&](vtkIdList*) { return locator->GetPointsWithinBoxCost(box); },
+  };
+  for (const auto& query : queries)
+  {
+    SCOPED_TRACE(&query - queries);
+    vtkNew<vtkIdList> found;
+    found->InsertNextId(77);
+    {
+      const NoMemory noMemory;
+      EXPECT_EQ(query(found), 0);
+    }
+    ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the query finds"));
+    EXPECT_GT(query(found), 0);
+  }
 }
 
 TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearchesFindTheSame)

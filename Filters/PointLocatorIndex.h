@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PointLocatorIndex_h
+#define PointLocatorIndex_h
+
+#include "LeafNumbers.h"
+#include "PointSearch.h"
+#include "PointTree.h"
+#include "vtkHashedOctreePointLocator.h"
+
+#include "vtkDataSet.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+
+/** What the locator has built: the tree over the points, in the precision that they came in, and
+ * what they were when it was built. Private to the locator. */
+class vtkHashedOctreePointLocator::Index
+{
+public:
+  template <typename Real>
+  using PointTree = hashedoctree::PointTree<3, Real>;
+
+  std::variant<PointTree<float>, PointTree<double>> Tree;
+  hashedoctree::LeafNumbers<3> Leaves;
+  std::optional<hashedoctree::Box<3>> Bounds; ///< Of the points, if there are any.
+  std::size_t SkippedPoints = 0;
+  bool IsFailed = false;               ///< There was an error, and no point is found.
+  vtkPointSet* PointSet = nullptr;     ///< The locator's data set, if it is one with points,
+  vtkPoints* PointsOfSet = nullptr;    ///< its points,
+  vtkDataArray* Coordinates = nullptr; ///< and their coordinates.
+
+  /** Remembers what to ask whether the points have changed. */
+  void Watch(vtkDataSet* dataSet)
+  {
+    auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
+    if (pointSet != nullptr && pointSet->GetPoints() != nullptr)
+    {
+      this->PointSet = pointSet;
+      this->PointsOfSet = pointSet->GetPoints();
+      this->Coordinates = this->PointsOfSet->GetData();
+    }
+  }
+
+  /** Calls function(tree). */
+  template <typename Function>
+  decltype(auto) Visit(const Function& function) const
+  {
+    return std::visit(function, this->Tree);
+  }
+  /** Calls function(search). */
+  template <typename Function>
+  auto Search(const Function& function) const
+  {
+    return this->Visit(
+      [&function](const auto& tree) { return function(hashedoctree::PointSearch(tree)); });
+  }
+  const hashedoctree::Octree<3>& GetOctree() const
+  {
+    return this->Visit(
+      [](const auto& tree) -> const hashedoctree::Octree<3>& { return tree.GetOctree(); });
+  }
+
+  const hashedoctree::StartDepths<3>& GetStartDepths() const
+  {
+    return this->Visit([](const auto& tree) -> const hashedoctree::StartDepths<3>&
+      { return tree.GetStartDepths(); });
+  }
+
+  /** Calls function(key at MaxDepth) for a position that has a leaf; else gives `nothing`. */
+  template <typename Function, typename Value>
+  Value AtLeafOf(const double x[3], Value nothing, const Function& function) const
+  {
+    const hashedoctree::Octree<3>& tree = this->GetOctree();
+    const hashedoctree::Position<3> position{ x[0], x[1], x[2] };
+    const bool hasLeaf = tree.GetNumberOfPoints() > 0 && hashedoctree::IsFinite(position);
+    return hasLeaf ? static_cast<Value>(function(tree.GetGrid().GetKey(x))) : nothing;
+  }
+};
+
+#endif
