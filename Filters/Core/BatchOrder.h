@@ -5,8 +5,6 @@
 #include "MortonOrder.h"
 #include "PointTree.h"
 
-#include <algorithm>
-
 namespace hashedoctree
 {
 /**

@@ -2,7 +2,6 @@
 #ifndef hashedoctree_DepthStatistics_h
 #define hashedoctree_DepthStatistics_h
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

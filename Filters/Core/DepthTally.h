@@ -5,7 +5,6 @@
 #include "DepthStatistics.h"
 #include "Octree.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredCost.h"
 
+#include "DirectSearch.h"
+
 #include <array>
 #include <atomic>
 #include <optional>

@@ -2,7 +2,7 @@
 #ifndef hashedoctree_MeasuredCost_h
 #define hashedoctree_MeasuredCost_h
 
-#include "DirectSearch.h"
+#include "Octree.h"
 
 #include <vector>
 

@@ -10,7 +10,6 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
 
 namespace hashedoctree
 {

@@ -6,9 +6,9 @@
 #include "Grid.h"
 #include "PointIndex.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -4,8 +4,6 @@
 #include "DirectBatch.h"
 #include "PlaneSpan.h"
 
-#include <algorithm>
-
 namespace hashedoctree
 {
 template <int Dim, typename Points>

@@ -2,7 +2,6 @@
 #ifndef Testing_Benchmarks_ChainedNodeTable_h
 #define Testing_Benchmarks_ChainedNodeTable_h
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

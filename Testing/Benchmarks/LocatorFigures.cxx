@@ -3,7 +3,6 @@
 
 #include "LocatorFormat.h"
 
-#include <algorithm>
 #include <ostream>
 
 namespace locator_benchmark

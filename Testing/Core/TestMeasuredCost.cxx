@@ -2,6 +2,7 @@
 #include "MeasuredCost.h"
 
 #include "Dimensions.h"
+#include "DirectSearch.h"
 #include "SampleTree.h"
 #include "Threads.h"
 

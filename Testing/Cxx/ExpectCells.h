@@ -11,7 +11,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 /** The nodes that port 0 must show, in its order. */

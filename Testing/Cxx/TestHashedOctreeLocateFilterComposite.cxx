@@ -16,7 +16,6 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkUniformGrid.h"
 
-#include <algorithm>
 #include <functional>
 #include <limits>
 

@@ -6,8 +6,6 @@
 
 #include "vtkSMPTools.h"
 
-#include <algorithm>
-
 namespace
 {
 vtkSmartPointer<vtkPolyData> MakeMany(unsigned seed)

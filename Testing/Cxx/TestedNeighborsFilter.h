@@ -10,7 +10,6 @@
 #include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <array>
 #include <cmath>
 
 /** Value of an integer cell array, whatever its type. */

@@ -6,7 +6,6 @@
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 /** The tables of a Markdown text, by the headings above them; those that follow the first below a
