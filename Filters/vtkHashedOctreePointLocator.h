@@ -31,9 +31,10 @@
  *   double (4.4e307), are never found; each build that meets some says so in one warning with their
  *   number, when it is done.
  * - One point, points that are all equal, few points far from many: all as above. Leaves at depth
- *   21 with more points than they may hold have trees of their own. (With a smaller MaxDepth leaves
- *   are as large as was asked for.) A search looks at all points only where they are equally near:
- *   at one place, or where rounding makes them so, from some 1e15 widths away.
+ *   21 with more than four times as many points as they may hold (at least 32) have trees of their
+ *   own. (With a smaller MaxDepth leaves are as large as was asked for.) A search looks at all
+ * points only where they are equally near: at one place, or where rounding makes them so, from some
+ * 1e15 widths away.
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So

@@ -79,7 +79,7 @@ public:
     {
       return;
     }
-    if (size > this->Tree.GetOctree().GetOptions().MaxPointsPerLeaf)
+    if (size > this->Tree.GetMostInLeaf())
     {
       if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
       {

@@ -12,6 +12,16 @@ constexpr std::size_t MostPointsOfTask = 16384;  // That a thread copies at a ti
 constexpr std::size_t PointsAhead = 64;          // Points that are on the way from the input,
 constexpr std::size_t MostInSecondCache = 65536; // when it has more points than these.
 
+/** How many points a leaf at the last depth may hold: so few are scanned as fast as a tree is
+ * searched, which takes 1.4 kilobytes. */
+std::size_t GetMostAtLastDepth(std::size_t maxPointsPerLeaf)
+{
+  constexpr std::size_t factor = 4;
+  constexpr std::size_t least = 32;
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / factor;
+  return std::max(factor * std::min(maxPointsPerLeaf, most), least);
+}
+
 /** Steps of a block at `depth` up to a cell of MaxDepth in it. */
 template <int Dim>
 std::uint8_t GetStep(std::uint32_t cell, int depth)
@@ -88,6 +98,7 @@ PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelectio
       // The coordinates are copied after the points are in order.
       { others == nullptr ? own.GetData() : others,
         Dim * sizeof(Real) * selection.GetNumberOfPoints() })
+  , MostInLeaf(GetMostAtLastDepth(options.MaxPointsPerLeaf))
   , Starts(this->Tree, StartDepthOptions())
   , Ids(this->Tree.GetPointIds())
   , OwnCoordinates(std::move(own))
@@ -286,7 +297,6 @@ std::size_t PointTree<Dim, Real>::FindFirstBlockAt(int depth) const
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::BuildNested(PointSpan<Dim, Real> points, const Execution& execution)
 {
-  const Options& options = this->Tree.GetOptions();
   if (!this->PartsAllPlaces() || this->Tree.GetDeepestDepth() < MortonKey<Dim>::MaxDepth)
   {
     return;
@@ -298,7 +308,7 @@ void PointTree<Dim, Real>::BuildNested(PointSpan<Dim, Real> points, const Execut
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
       const auto leaf = this->Tree.GetChild(block, octant);
-      if (leaf.GetNumberOfPoints() > options.MaxPointsPerLeaf)
+      if (leaf.GetNumberOfPoints() > this->MostInLeaf)
       {
         const auto before = static_cast<double>(leaf.FirstPoint);
         const auto all = static_cast<double>(this->GetNumberOfPoints());

@@ -179,7 +179,7 @@ TEST(TestPointTreeFacts, TakesAtMost32BytesPerPoint)
   }
 }
 
-/** Every leaf at the last depth with more than a bucket of points has a nested tree, unless they
+/** Every leaf at the last depth with too many points has a nested tree, unless they
  * are all at one place; the trees hold the ids of the leaf. Returns the number of nested trees. */
 template <typename Real>
 int ExpectNested(const PointSpan<3, Real>& points, const PointTree<3, Real>& tree)
@@ -192,8 +192,7 @@ int ExpectNested(const PointSpan<3, Real>& points, const PointTree<3, Real>& tre
       const PointIndex* ids = tree.GetIds() + node.FirstPoint;
       const bool isAtOnePlace = std::all_of(ids, ids + node.GetNumberOfPoints(),
         [&](PointIndex id) { return std::equal(points[id], points[id] + 3, points[ids[0]]); });
-      const bool isLarge =
-        node.GetNumberOfPoints() > tree.GetOctree().GetOptions().MaxPointsPerLeaf;
+      const bool isLarge = node.GetNumberOfPoints() > tree.GetMostInLeaf();
       ASSERT_EQ(nested != nullptr, !node.Internal && isLarge && !isAtOnePlace);
       if (nested != nullptr)
       {
