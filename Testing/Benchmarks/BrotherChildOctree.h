@@ -26,10 +26,10 @@ struct ParentPointer<Node, ParentPointers::No>
 };
 
 /**
- * The brother/child octree (paper Fig. 3b, #2, #3), for comparison only: 24 bytes a node, 32 with a
- * pointer to the parent. Siblings are chained in the order of octants, so that the last of 2^Dim is
- * reached by passing all others. TopDownSearch.h searches it for neighbours. Immutable; thread
- * safe.
+ * The brother/child octree (paper Fig. 3b; README, rows 2, 3), for comparison only: 24 bytes a
+ * node, 32 with a pointer to the parent. Siblings are chained in the order of octants, so that the
+ * last of 2^Dim is reached by passing all others. TopDownSearch.h searches it for neighbours.
+ * Immutable; thread safe.
  */
 template <int Dim, ParentPointers Parents>
 class BrotherChildOctree

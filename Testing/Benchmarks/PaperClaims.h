@@ -8,7 +8,8 @@
 
 namespace paper_benchmark
 {
-/** The claims of the paper's text (#56) beside what was measured, as Markdown; at least one set. */
+/** The claims of the paper's text (README, row 56) beside what was measured, as Markdown; at least
+ * one set. */
 void WriteClaims(std::ostream& out, const std::vector<PaperResults>& sets);
 }
 

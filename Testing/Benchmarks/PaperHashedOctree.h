@@ -17,11 +17,11 @@ inline hashedoctree::LowBitsHash GetPaperHash()
 }
 
 /**
- * The hashed octree as in the paper (section 2, Fig. 3c, #4, #5), for comparison only: every node,
- * leaf or not, is in one table, under its key, and reaching it takes one access to the table. 24
- * bytes a node, and as much for each slot that stays free. The searches are Algorithms 1 and 2 with
- * the right reading of what is unclear in them; `startDepth` is in [0, MortonKey::MaxDepth] and
- * changes their cost, never their answer. Immutable; thread safe.
+ * The hashed octree as in the paper (section 2, Fig. 3c; README, rows 4, 5), for comparison only:
+ * every node, leaf or not, is in one table, under its key, and reaching it takes one access to the
+ * table. 24 bytes a node, and as much for each slot that stays free. The searches are Algorithms 1
+ * and 2 with the right reading of what is unclear in them; `startDepth` is in [0,
+ * MortonKey::MaxDepth] and changes their cost, never their answer. Immutable; thread safe.
  */
 template <int Dim, typename Hash>
 class PaperHashedOctree

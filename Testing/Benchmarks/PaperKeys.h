@@ -9,8 +9,8 @@
 namespace paper_benchmark
 {
 /** Measures what the keys of the points cost, by integer dilation and by the machine's bit deposit
- * (the paper's section 2, #13), and how the paper's hash and ours spread the keys of the tree's
- * internal nodes (#16, E20). Both ways must give the same keys. */
+ * (the paper's section 2; README, row 13), and how the paper's hash and ours spread the keys of the
+ * tree's internal nodes (README, row 16, E20). Both ways must give the same keys. */
 void MeasureKeys(const hashedoctree::Octree<3>& tree, const std::vector<float>& points,
   int repetitions, PaperResults& results);
 

@@ -14,8 +14,8 @@ constexpr std::size_t MaxScannedLeaves = 2000;
 constexpr std::size_t MaxRejectedLeaves = 200;
 
 /** Counts what neighbour searches examine from different start depths (end of the paper's section
- * 4, #41, #42), and checks that NodeStartDepths has the best for each leaf. `radius` is in world
- * units. */
+ * 4; README, rows 41, 42), and checks that NodeStartDepths has the best for each leaf. `radius` is
+ * in world units. */
 void MeasureNeighborStarts(const hashedoctree::Octree<3>& tree, const std::vector<Key>& leaves,
   double radius, int repetitions, PaperResults& results);
 }

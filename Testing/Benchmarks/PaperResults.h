@@ -80,11 +80,11 @@ struct AdjacentOption
 struct NeighborCosts
 {
   double Root;
-  double Median;   ///< From the median of all leaves, as the paper does (#42).
+  double Median;   ///< From the median of all leaves, as the paper does (README, row 42).
   double Best;     ///< From the one depth that is best for all leaves.
   int BestDepth;   ///< That depth, the smallest of equals.
-  double Own;      ///< From the depth that is best for each leaf (#41).
-  double Climbing; ///< From the deepest depth: from parent to parent (#25).
+  double Own;      ///< From the depth that is best for each leaf (README, row 41).
+  double Climbing; ///< From the deepest depth: from parent to parent (README, row 25).
 };
 struct NeighborStarts
 {
@@ -92,8 +92,8 @@ struct NeighborStarts
   NeighborCosts InRadius{};
   std::size_t StoredBytes = 0; ///< Of NodeStartDepths, which has Own of the adjacent search.
   double StoredSeconds = 0.0;  ///< What making them took, once.
-  AdjacentOption Rejected;     ///< The option that the paper rejects (#22), from the median.
-  AdjacentOption Taken;        ///< The other one, for the same leaves.
+  AdjacentOption Rejected; ///< The option that the paper rejects (README, row 22), from the median.
+  AdjacentOption Taken;    ///< The other one, for the same leaves.
 };
 
 /** Mean numbers of nodes that a search examines when every leaf is searched for once. */

@@ -10,8 +10,8 @@
 #include <array>
 
 /**
- * The octree with a pointer to each child (paper Fig. 3a, #1), for comparison only: 72 bytes a node
- * in 3D. TopDownSearch.h searches it for neighbours. Immutable; thread safe.
+ * The octree with a pointer to each child (paper Fig. 3a; README, row 1), for comparison only: 72
+ * bytes a node in 3D. TopDownSearch.h searches it for neighbours. Immutable; thread safe.
  */
 template <int Dim>
 class PointerOctree

@@ -8,10 +8,10 @@
 
 /**
  * The points of a tree in Morton order, and the splitting of them into nodes by the paper's rule
- * (paper section 5, #43): a node is split while it holds more than `bucket` points and is not at
- * MaxDepth; all its children are nodes, empty ones too. The trees that ours is compared with are
- * all built from it, with Core's own order and grid: so they have the same leaves, and their build
- * times differ by what their nodes cost.
+ * (paper section 5; README, row 43): a node is split while it holds more than `bucket` points and
+ * is not at MaxDepth; all its children are nodes, empty ones too. The trees that ours is compared
+ * with are all built from it, with Core's own order and grid: so they have the same leaves, and
+ * their build times differ by what their nodes cost.
  */
 template <int Dim>
 class SortedPoints

@@ -10,8 +10,8 @@
 /**
  * The classical search for the leaves around a node (paper section 2): from the root down through
  * all children that meet what is around the node, by geometric tests. In a tree whose nodes know
- * their parents it starts at the smallest ancestor of the node that holds all of it (paper #3).
- * `found` is replaced by the leaves, each once, along the Morton curve. O(nodes that meet it).
+ * their parents it starts at the smallest ancestor of the node that holds all of it (README, row
+ * 3). `found` is replaced by the leaves, each once, along the Morton curve. O(nodes that meet it).
  */
 template <typename Tree, typename Surroundings, int Dim>
 class TopDownSearch
