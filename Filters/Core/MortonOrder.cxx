@@ -130,7 +130,6 @@ private:
     this->ForChunks(count,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
       {
-        offsets[chunk].fill(0);
         for (std::size_t i = first; i < last; ++i)
         {
           ++offsets[chunk][digit.Of(from[i])];

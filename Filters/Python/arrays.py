@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Batches of searches of vtkHashedOctreePointLocator, NumPy arrays in and out.
 
-Positions are arrays of shape (m, 3), of any type that NumPy turns into numbers; float32 and float64
-are read where they are. Results are views of the memory that the search filled, nothing is copied:
+Positions are arrays of shape (m, 3), of any type that NumPy turns into real numbers; float32 and
+float64 are read where they are. Arrays that are complex or masked are a TypeError. Results are views of the memory that the search filled, nothing is copied:
 ids are int64, squared distances float64. The searches run on the threads of vtkSMPTools. A batch
 that could not be done (not enough memory, or stopped by AbortBatch()) is a RuntimeError.
 """
@@ -52,6 +52,8 @@ def find_points_within_radius(locator, radius, positions):
 
 def _view(positions):
     """A VTK array over the positions, which keeps them alive."""
+    if numpy.iscomplexobj(positions) or numpy.ma.isMaskedArray(positions):
+        raise TypeError("positions must be real numbers, and none of them masked")
     positions = numpy.ascontiguousarray(positions)
     if positions.ndim != 2 or positions.shape[1] != 3:
         raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}")

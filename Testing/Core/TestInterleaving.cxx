@@ -85,7 +85,7 @@ TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
   }
 }
 
-TEST(TestPdep, IsFastestOnlyWhereTheMachineHasIt)
+TEST(TestInterleaving, IsFastestOnlyWhereTheMachineHasIt)
 {
   EXPECT_TRUE(HasPdep() || !PdepIsFastest);
 }

@@ -18,7 +18,7 @@ double GetBytesPerNode(TestedFilter& filter)
 }
 
 /** Large trees run the same code as small ones, so sanitizers need not see them. */
-class TestHashedOctreeFilterPaper : public ::testing::Test
+class TestHashedOctreeFilterScale : public ::testing::Test
 {
 protected:
   void SetUp() override
@@ -31,7 +31,7 @@ protected:
 };
 }
 
-TEST_F(TestHashedOctreeFilterPaper, HalfAMillionPointsOnASphere)
+TEST_F(TestHashedOctreeFilterScale, HalfAMillionPointsOnASphere)
 {
   TestedFilter filter(MakeSpherePoints<3, double>(500000, 77));
   filter.Update();
@@ -43,7 +43,7 @@ TEST_F(TestHashedOctreeFilterPaper, HalfAMillionPointsOnASphere)
   EXPECT_LE(GetBytesPerNode(filter), MostBytesPerNode);
 }
 
-TEST_F(TestHashedOctreeFilterPaper, FourMillionPointsInACube)
+TEST_F(TestHashedOctreeFilterScale, FourMillionPointsInACube)
 {
   TestedFilter filter(MakeUniformPoints<3, double>(4000000, 71));
   filter.Update();

@@ -37,6 +37,7 @@ locate.Update()
 ids = locate.GetOutputDataObject(0).GetPointData().GetArray("LeafId")
 assert sorted(ids.GetValue(i) for i in range(points)) == list(range(points))
 table = locate.GetOutputDataObject(1)
+assert table.GetNumberOfRows() > 0
 for row in range(table.GetNumberOfRows()):
     predicted, measured = (table.GetValueByName(row, name) for name in
                            ("PredictedMean", "MeasuredMean"))
