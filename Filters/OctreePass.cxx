@@ -114,6 +114,7 @@ OctreePass::Outputs OctreePass::Process(
 std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execution& execution)
 {
   const auto start = std::chrono::steady_clock::now();
+  RequirePointIndices(static_cast<std::size_t>(input->GetNumberOfPoints())); // Before a copy.
   const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
   std::optional<AnyPointsOctree> built;
   points.Visit(

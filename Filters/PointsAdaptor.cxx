@@ -11,7 +11,6 @@ namespace hashedoctree
 PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
   : Count(static_cast<std::size_t>(dataSet->GetNumberOfPoints()))
 {
-  RequirePointIndices(this->Count); // Before they are copied.
   auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
   if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
   {

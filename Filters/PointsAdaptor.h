@@ -19,10 +19,8 @@ namespace hashedoctree
 class PointsAdaptor
 {
 public:
-  /** Throws Interrupted and std::bad_alloc while it copies, before that std::length_error for more
-   * points than can be numbered. */
-  PointsAdaptor(vtkDataSet* dataSet, const Execution& execution);
   /** Throws Interrupted and std::bad_alloc while it copies. */
+  PointsAdaptor(vtkDataSet* dataSet, const Execution& execution);
   PointsAdaptor(vtkDataArray* data, const Execution& execution);
 
   /** Calls function(span) with a PointSpan<3, float> or PointSpan<3, double>. */

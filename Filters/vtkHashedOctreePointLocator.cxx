@@ -254,6 +254,7 @@ void vtkHashedOctreePointLocator::Fill(Index& index)
   {
     return;
   }
+  RequirePointIndices(static_cast<std::size_t>(this->DataSet->GetNumberOfPoints()));
   const Execution threads = MakeExecution();
   const PointsAdaptor points(this->DataSet, threads);
   Octree<3>::Options options;

@@ -224,7 +224,8 @@ TYPED_TEST(TestPaperBaselines, PaperHashedOctree)
 
 TEST(TestPaperBaselinesFacts, BytesOfNodesAreThePapers)
 {
-  // README, row 2, with pointers of eight bytes: the paper's 48 and 24 are with four and some overhead.
+  // README, row 2, with pointers of eight bytes: the paper's 48 and 24 are with four and some
+  // overhead.
   EXPECT_EQ(sizeof(PointerOctree<3>::Node), 72U);
   EXPECT_EQ(sizeof(BrotherChildOctree<3, ParentPointers::No>::Node), 24U);
   EXPECT_EQ(sizeof(BrotherChildOctree<3, ParentPointers::Yes>::Node), 32U);

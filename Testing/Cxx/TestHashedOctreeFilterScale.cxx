@@ -18,7 +18,7 @@ double GetBytesPerNode(TestedFilter& filter)
 }
 
 /** Large trees run the same code as small ones, so sanitizers need not see them. */
-class TestHashedOctreeFilterScale : public ::testing::Test
+class TestHashedOctreeFilterScaleLarge : public ::testing::Test
 {
 protected:
   void SetUp() override
@@ -31,7 +31,7 @@ protected:
 };
 }
 
-TEST_F(TestHashedOctreeFilterScale, HalfAMillionPointsOnASphere)
+TEST_F(TestHashedOctreeFilterScaleLarge, HalfAMillionPointsOnASphere)
 {
   TestedFilter filter(MakeSpherePoints<3, double>(500000, 77));
   filter.Update();
@@ -43,7 +43,7 @@ TEST_F(TestHashedOctreeFilterScale, HalfAMillionPointsOnASphere)
   EXPECT_LE(GetBytesPerNode(filter), MostBytesPerNode);
 }
 
-TEST_F(TestHashedOctreeFilterScale, FourMillionPointsInACube)
+TEST_F(TestHashedOctreeFilterScaleLarge, FourMillionPointsInACube)
 {
   TestedFilter filter(MakeUniformPoints<3, double>(4000000, 71));
   filter.Update();

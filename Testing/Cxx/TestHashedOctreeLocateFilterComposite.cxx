@@ -25,11 +25,6 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 using Blocks = std::vector<vtkSmartPointer<vtkDataObject>>;
 
-vtkSmartPointer<vtkPolyData> MakeUniform(std::size_t count, unsigned seed)
-{
-  return MakePolyData(MakeUniformPoints<3, double>(count, seed));
-}
-
 /** Makes a composite data set of some kind. */
 using Compose = std::function<vtkSmartPointer<vtkDataObjectTree>(const Blocks&)>;
 

@@ -20,11 +20,6 @@ namespace
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-vtkSmartPointer<vtkPolyData> MakeUniform(std::size_t count, unsigned seed)
-{
-  return MakePolyData(MakeUniformPoints<3, double>(count, seed));
-}
-
 /** After an error the same filter must do its work as if nothing had happened. */
 void ExpectToWorkAgain(TestedLocateFilter& filter)
 {

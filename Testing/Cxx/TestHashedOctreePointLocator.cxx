@@ -134,7 +134,7 @@ void ExpectAnswersOfSample(
 {
   SCOPED_TRACE(sample.Name + ", " + std::to_string(maxPointsPerLeaf) + " points per leaf");
   const BruteForceSearch<3, Real> oracle(sample.GetSpan());
-  TestedLocator locator(MakePointCloud(sample.Coordinates));
+  TestedLocator locator(MakePolyData(sample.Coordinates));
   locator->SetMaxPointsPerLeaf(maxPointsPerLeaf);
   locator->BuildLocator();
   locator.Warnings.clear(); // Told of in another test.
@@ -170,7 +170,7 @@ TYPED_TEST(TestHashedOctreePointLocator, BoxesHoldWhatTheOracleFindsInThem)
   {
     SCOPED_TRACE(sample.Name);
     const BruteForceSearch<3, TypeParam> oracle(sample.GetSpan());
-    TestedLocator locator(MakePointCloud(sample.Coordinates));
+    TestedLocator locator(MakePolyData(sample.Coordinates));
     locator->SetMaxPointsPerLeaf(2);
     locator->BuildLocator();
     locator.Warnings.clear(); // Told of in another test.
@@ -216,7 +216,7 @@ TYPED_TEST(TestHashedOctreePointLocator, AnswersAsTheOracleOnManyRandomPoints)
   {
     SCOPED_TRACE(sample.Name);
     const BruteForceSearch<3, TypeParam> oracle(sample.GetSpan());
-    TestedLocator locator(MakePointCloud(sample.Coordinates));
+    TestedLocator locator(MakePolyData(sample.Coordinates));
     for (const Position& x : MakeQueries(sample, Sanitized ? 5 : 30))
     {
       const auto all = oracle.FindAll(x);
@@ -247,7 +247,7 @@ TEST(TestHashedOctreePointLocatorTies, TheSmallestIdWins)
       coordinates.push_back((corner >> axis & 1U) != 0 ? 1.0F : -1.0F);
     }
   }
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   for (const int maxPointsPerLeaf : { 1, 2, 16 })
   {
     locator->SetMaxPointsPerLeaf(maxPointsPerLeaf);
@@ -263,7 +263,7 @@ TEST(TestHashedOctreePointLocatorTies, TheSmallestIdWins)
 
 TEST(TestHashedOctreePointLocatorForms, CoordinatesMayBeGivenOneByOne)
 {
-  TestedLocator locator(MakePointCloud<double>({ 0, 0, 0, 1, 0, 0, 0, 3, 0 }));
+  TestedLocator locator(MakePolyData<double>({ 0, 0, 0, 1, 0, 0, 0, 3, 0 }));
   vtkNew<vtkIdList> ids;
   EXPECT_EQ(locator->FindClosestPoint(0.9, 0, 0), 1);
   locator->FindClosestNPoints(2, 0.9, 0, 0, ids);

@@ -105,7 +105,7 @@ void ExpectAsOneByOne(TestedLocator& locator, vtkDataArray* queries)
 TEST(TestHashedOctreePointLocatorBatches, FindWhatSingleSearchesFind)
 {
   const auto coordinates = MakeUniformPoints<3, float>(5000, 181);
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   vtkSMPTools::SetBackend("STDThread");
   for (const int threads : { 1, 2, 8 })
   {
@@ -123,7 +123,7 @@ TEST(TestHashedOctreePointLocatorBatches, FindWhatSingleSearchesFind)
 TEST(TestHashedOctreePointLocatorBatches, FindTheSameFromAllStartDepths)
 {
   const auto coordinates = MakeSpherePoints<3, float>(5000, 185);
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   locator->SetMaxPointsPerLeaf(8);
   vtkSMPTools::SetBackend("STDThread");
   for (int model = vtkHashedOctreePointLocator::Median; model <= vtkHashedOctreePointLocator::Local;
@@ -143,7 +143,7 @@ TEST(TestHashedOctreePointLocatorBatches, FindTheSameFromAllStartDepths)
 
 TEST(TestHashedOctreePointLocatorBatches, FewerPointsThanAskedFor)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(3, 182)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(3, 182)));
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
     locator, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
 }
@@ -153,7 +153,7 @@ TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
   TestedLocator nothing;
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
     nothing, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(30, 182)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(30, 182)));
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(locator, queries));
@@ -165,7 +165,7 @@ TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
 
 TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(30, 182)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(30, 182)));
   vtkNew<vtkDoubleArray> pairs;
   pairs->SetNumberOfComponents(2);
   Outputs outputs;
@@ -192,7 +192,7 @@ TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
 
 TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgotten)
 {
-  TestedLocator locator(MakePointCloud<double>({ 0, 0, 0, 1, 0, 0, 9, 0, 0 }));
+  TestedLocator locator(MakePolyData<double>({ 0, 0, 0, 1, 0, 0, 9, 0, 0 }));
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
   queries->InsertNextTuple3(8.0, 0.0, 0.0);
@@ -214,7 +214,7 @@ TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgot
 
 TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
 {
-  TestedLocator locator(MakePointCloud<float>({ NAN, 0, 0, 1, 0, 0 }));
+  TestedLocator locator(MakePolyData<float>({ NAN, 0, 0, 1, 0, 0 }));
   struct Observer
   {
     vtkHashedOctreePointLocator* Locator;
@@ -235,7 +235,7 @@ TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
 TEST(TestHashedOctreePointLocatorBatches, TellProgressAndCanBeAborted)
 {
   const auto coordinates = MakeUniformPoints<3, float>(60000, 184);
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   const auto queries = MakeQueries<vtkFloatArray>(coordinates, 60000);
   struct Observer
   {

@@ -26,7 +26,7 @@ class CountedLocator
 {
 public:
   CountedLocator()
-    : Cloud(MakePointCloud<float>({ 0, 0, 0, 1, 0, 0, NAN, 0, 0, 0, 2, 0, 0.1F, 0.1F, 0 }))
+    : Cloud(MakePolyData<float>({ 0, 0, 0, 1, 0, 0, NAN, 0, 0, 0, 2, 0, 0.1F, 0.1F, 0 }))
     , Locator(this->Cloud)
   {
   }
@@ -156,18 +156,18 @@ TEST(TestHashedOctreePointLocatorBuild, ModificationsRebuild)
 
 TEST(TestHashedOctreePointLocatorBuild, OtherPointsInTheSameDataSetRebuild)
 {
-  const auto cloud = MakePointCloud<double>({ 0, 0, 0, 1, 0, 0 });
-  const auto other = MakePointCloud<double>({ 5, 0, 0, 9, 0, 0, 0.9, 0, 0 });
+  const auto cloud = MakePolyData<double>({ 0, 0, 0, 1, 0, 0 });
+  const auto other = MakePolyData<double>({ 5, 0, 0, 9, 0, 0, 0.9, 0, 0 });
   TestedLocator locator(cloud);
   const double x[3] = { 0.9, 0.0, 0.0 };
   EXPECT_EQ(locator->FindClosestPoint(x), 1);
   cloud->DeepCopy(other);
   EXPECT_EQ(locator->FindClosestPoint(x), 2);
-  cloud->ShallowCopy(MakePointCloud<float>({ 0.9F, 0, 0 }));
+  cloud->ShallowCopy(MakePolyData<float>({ 0.9F, 0, 0 }));
   EXPECT_EQ(locator->FindClosestPoint(x), 0);
   cloud->CopyStructure(other);
   EXPECT_EQ(locator->FindClosestPoint(x), 2);
-  cloud->GetPoints()->DeepCopy(MakePointCloud<double>({ 4, 0, 0, 0, 0, 0 })->GetPoints());
+  cloud->GetPoints()->DeepCopy(MakePolyData<double>({ 4, 0, 0, 0, 0, 0 })->GetPoints());
   EXPECT_EQ(locator->FindClosestPoint(x), 1);
   cloud->ReleaseData();
   EXPECT_EQ(locator->FindClosestPoint(x), -1);
@@ -266,7 +266,7 @@ TEST(TestHashedOctreePointLocatorBuild, StartDepthsAreThoseOfTheModels)
 {
   // Two points share the cells of the depths 0 to 4, and the third leaves them at once: seven
   // leaves at each of the depths 1 to 4, eight at 5.
-  TestedLocator locator(MakePointCloud<double>({ 0, 0, 0, 1.0 / 32, 0, 0, 1, 1, 1 }));
+  TestedLocator locator(MakePolyData<double>({ 0, 0, 0, 1.0 / 32, 0, 0, 1, 1, 1 }));
   locator->SetMaxPointsPerLeaf(1);
   locator->BuildLocator();
   EXPECT_EQ(locator->GetLevel(), 5);
@@ -287,7 +287,7 @@ TEST(TestHashedOctreePointLocatorBuild, StartDepthsAreThoseOfTheModels)
 TEST(TestHashedOctreePointLocatorBuild, TellsOfItsTree)
 {
   const std::vector<float> coordinates = MakeUniformPoints<3, float>(10000, 31, -3.0, 5.0);
-  const auto cloud = MakePointCloud(coordinates);
+  const auto cloud = MakePolyData(coordinates);
   TestedLocator locator(cloud);
   locator->BuildLocator();
   double bounds[6];
@@ -330,7 +330,7 @@ TEST(TestHashedOctreePointLocatorBuild, TooManyPointsAreAnError)
   vtkNew<vtkFloatArray> coordinates;
   coordinates->SetNumberOfComponents(3);
   coordinates->SetArray(x, 3 * count, /*save=*/1);
-  const auto cloud = MakePointCloud<float>({});
+  const auto cloud = MakePolyData<float>({});
   cloud->GetPoints()->SetData(coordinates);
   TestedLocator locator(cloud);
   locator->BuildLocator();
@@ -354,7 +354,7 @@ TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayAskAtOnce)
       }
     }
   };
-  TestedLocator ofPoints(MakePointCloud<float>({ 0, 0, 0, NAN, 0, 0, 1, 0, 0 }));
+  TestedLocator ofPoints(MakePolyData<float>({ 0, 0, 0, NAN, 0, 0, 1, 0, 0 }));
   Listener warned{ ofPoints, {} };
   ofPoints->AddObserver(vtkCommand::WarningEvent, &warned, &Listener::Ask);
   EXPECT_EQ(ofPoints->FindClosestPoint(0.1, 0, 0), 0);
@@ -391,7 +391,7 @@ TEST(TestHashedOctreePointLocatorBuild, ANewInstanceWorks)
 {
   vtkNew<vtkHashedOctreePointLocator> first;
   const auto second = vtk::TakeSmartPointer(first->NewInstance());
-  const auto cloud = MakePointCloud<float>({ 0, 0, 0, 1, 0, 0 });
+  const auto cloud = MakePolyData<float>({ 0, 0, 0, 1, 0, 0 });
   second->SetDataSet(cloud);
   second->Modified();
   EXPECT_EQ(second->FindClosestPoint(0.9, 0, 0), 1);
@@ -417,7 +417,7 @@ TEST(TestHashedOctreePointLocatorBuild, ALoopWithItsPointSetIsCollected)
   vtkWeakPointer<vtkHashedOctreePointLocator> locator;
   vtkWeakPointer<vtkPolyData> cloud;
   {
-    const auto data = MakePointCloud<float>({ 0, 0, 0, 1, 0, 0 });
+    const auto data = MakePolyData<float>({ 0, 0, 0, 1, 0, 0 });
     vtkNew<vtkHashedOctreePointLocator> own;
     own->SetDataSet(data);
     data->SetPointLocator(own);

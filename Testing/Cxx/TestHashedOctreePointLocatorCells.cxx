@@ -93,7 +93,7 @@ TEST(TestHashedOctreePointLocatorCells, EveryLevelHasItsNodes)
   for (const auto& coordinates :
     { MakeUniformPoints<3, double>(500, 51), MakeClusteredPoints<3, double>(300, 52) })
   {
-    const auto cloud = MakePointCloud(coordinates);
+    const auto cloud = MakePolyData(coordinates);
     TestedLocator locator(cloud);
     locator->SetMaxPointsPerLeaf(2);
     vtkNew<vtkPolyData> cells;
@@ -121,7 +121,7 @@ TEST(TestHashedOctreePointLocatorCells, LeavesHoldAllPointsOnce)
   for (const auto& coordinates :
     { MakeUniformPoints<3, double>(500, 53), MakeClusteredPoints<3, double>(300, 54) })
   {
-    const auto cloud = MakePointCloud(coordinates);
+    const auto cloud = MakePolyData(coordinates);
     TestedLocator locator(cloud);
     vtkNew<vtkPolyData> cells;
     locator->GenerateRepresentation(-1, cells);
@@ -135,7 +135,7 @@ TEST(TestHashedOctreePointLocatorCells, TheDataSetItselfMayTakeThem)
 {
   for (const bool isItsLocator : { false, true })
   {
-    const auto cloud = MakePointCloud(MakeUniformPoints<3, double>(500, 56));
+    const auto cloud = MakePolyData(MakeUniformPoints<3, double>(500, 56));
     TestedLocator locator(cloud);
     vtkNew<vtkPolyData> expected;
     locator->GenerateRepresentation(-1, expected);
@@ -155,8 +155,8 @@ TEST(TestHashedOctreePointLocatorCells, TheDataSetItselfMayTakeThem)
 
 TEST(TestHashedOctreePointLocatorCells, WithoutPointsThereIsNothing)
 {
-  TestedLocator locator(MakePointCloud<float>({}));
-  const auto cells = MakePointCloud<float>({ 1, 2, 3 }); // To be replaced, with its vertex.
+  TestedLocator locator(MakePolyData<float>({}));
+  const auto cells = MakePolyData<float>({ 1, 2, 3 }); // To be replaced, with its vertex.
   vtkNew<vtkCellArray> vertices;
   vertices->InsertNextCell({ 0 });
   cells->SetVerts(vertices);
@@ -170,7 +170,7 @@ TEST(TestHashedOctreePointLocatorCells, WithoutPointsThereIsNothing)
 
 TEST(TestHashedOctreePointLocatorCells, OnePointHasARoot)
 {
-  const auto cloud = MakePointCloud<float>({ 1, 2, 3 });
+  const auto cloud = MakePolyData<float>({ 1, 2, 3 });
   TestedLocator locator(cloud);
   vtkNew<vtkPolyData> cells;
   for (const int level : { -1, 0 })
@@ -183,7 +183,7 @@ TEST(TestHashedOctreePointLocatorCells, OnePointHasARoot)
 
 TEST(TestHashedOctreePointLocatorCells, ShownBySpatialRepresentationFilter)
 {
-  const auto cloud = MakePointCloud(MakeUniformPoints<3, double>(500, 55));
+  const auto cloud = MakePolyData(MakeUniformPoints<3, double>(500, 55));
   vtkNew<vtkHashedOctreePointLocator> locator;
   vtkNew<vtkSpatialRepresentationFilter> filter;
   filter->SetInputData(cloud);

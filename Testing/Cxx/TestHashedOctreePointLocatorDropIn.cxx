@@ -63,7 +63,7 @@ vtkSmartPointer<vtkPolyData> MakeSheet(std::size_t count, unsigned seed)
     const float length = std::sqrt(1 + slope * slope);
     normals->InsertNextTuple3(-slope / length, 0, 1 / length);
   }
-  auto sheet = MakePointCloud(coordinates);
+  auto sheet = MakePolyData(coordinates);
   sheet->GetPointData()->SetScalars(height);
   sheet->GetPointData()->SetNormals(normals);
   return sheet;
@@ -427,7 +427,7 @@ TEST(TestHashedOctreePointLocatorDropIn, ProbeFilter)
       vtkNew<vtkClosestNPointsStrategy> strategy;
       strategy->SetPointLocator(locator);
       vtkNew<vtkProbeFilter> filter;
-      filter->SetInputData(MakePointCloud(MakeUniformPoints<3, double>(500, 68, -0.3, 3.3)));
+      filter->SetInputData(MakePolyData(MakeUniformPoints<3, double>(500, 68, -0.3, 3.3)));
       filter->SetSourceData(mesh);
       filter->SetFindCellStrategy(strategy);
       Output output = Execute(filter);

@@ -41,7 +41,7 @@ TEST(TestHashedOctreePointLocatorEdges, WithoutPointsNothingIsFoundSilently)
   ExpectNoTree(ofNothing);
   TestedLocator ofNoArray(vtkSmartPointer<vtkPolyData>::New());
   ExpectNoTree(ofNoArray);
-  TestedLocator ofNoPoints(MakePointCloud<float>({}));
+  TestedLocator ofNoPoints(MakePolyData<float>({}));
   ExpectNoTree(ofNoPoints);
   TestedLocator ofNoImage(vtkSmartPointer<vtkImageData>::New());
   ExpectNoTree(ofNoImage);
@@ -49,7 +49,7 @@ TEST(TestHashedOctreePointLocatorEdges, WithoutPointsNothingIsFoundSilently)
 
 TEST(TestHashedOctreePointLocatorEdges, DataMayChangeAfterABuild)
 {
-  const auto cloud = MakePointCloud<float>({ 0, 0, 0, 5, 0, 0 });
+  const auto cloud = MakePolyData<float>({ 0, 0, 0, 5, 0, 0 });
   TestedLocator locator(cloud);
   EXPECT_EQ(locator->FindClosestPoint(4, 0, 0), 1);
   EXPECT_EQ(locator->GetBounds()[1], 5.0);
@@ -59,7 +59,7 @@ TEST(TestHashedOctreePointLocatorEdges, DataMayChangeAfterABuild)
   EXPECT_EQ(locator->FindClosestPoint(4, 0, 0), 0);
   EXPECT_EQ(locator->GetBounds()[0], -9.0);
 
-  cloud->SetPoints(MakePointCloud<double>({ 1e300, 0, 0 })->GetPoints());
+  cloud->SetPoints(MakePolyData<double>({ 1e300, 0, 0 })->GetPoints());
   EXPECT_EQ(locator->FindClosestPoint(4, 0, 0), 0);
   EXPECT_EQ(locator.FindClosest(9, { 0, 0, 0 }), Ids{ 0 });
 
@@ -73,7 +73,7 @@ TEST(TestHashedOctreePointLocatorEdges, DataMayBeEmptiedAfterABuild)
   for (int way = 0; way < 7; ++way)
   {
     SCOPED_TRACE(way);
-    const auto cloud = MakePointCloud(MakeUniformPoints<3, float>(100, 21));
+    const auto cloud = MakePolyData(MakeUniformPoints<3, float>(100, 21));
     TestedLocator locator(cloud);
     EXPECT_EQ(locator.FindWithin(Infinity, { 0, 0, 0 }).size(), 100U);
     if (way == 0)
@@ -103,7 +103,7 @@ TEST(TestHashedOctreePointLocatorEdges, DataMayBeEmptiedAfterABuild)
     }
     else
     {
-      locator->SetDataSet(MakePointCloud<double>({}));
+      locator->SetDataSet(MakePolyData<double>({}));
     }
     ExpectNoTree(locator);
   }
@@ -120,7 +120,7 @@ TEST(TestHashedOctreePointLocatorEdges, WhoHearsOfAChangeMayAskAtOnce)
   for (const bool pointsStay : { false, true })
   {
     // A point set that is initialized says so, and only then lets its points go.
-    const auto cloud = MakePointCloud<float>({ 0, 0, 0, 5, 0, 0 });
+    const auto cloud = MakePolyData<float>({ 0, 0, 0, 5, 0, 0 });
     const vtkSmartPointer<vtkPoints> points = pointsStay ? cloud->GetPoints() : nullptr;
     TestedLocator locator(cloud);
     Listener listener{ locator };
@@ -134,15 +134,15 @@ TEST(TestHashedOctreePointLocatorEdges, WhoHearsOfAChangeMayAskAtOnce)
 
 TEST(TestHashedOctreePointLocatorEdges, AnotherDataSetMayTakeItsPlace)
 {
-  TestedLocator locator(MakePointCloud<float>({ 0, 0, 0, 5, 0, 0 }));
+  TestedLocator locator(MakePolyData<float>({ 0, 0, 0, 5, 0, 0 }));
   EXPECT_EQ(locator->FindClosestPoint(4, 0, 0), 1);
-  locator->SetDataSet(MakePointCloud<double>({ 4, 0, 0, 5, 0, 0 }));
+  locator->SetDataSet(MakePolyData<double>({ 4, 0, 0, 5, 0, 0 }));
   EXPECT_EQ(locator->FindClosestPoint(4, 0, 0), 0);
 }
 
 TEST(TestHashedOctreePointLocatorEdges, OnePoint)
 {
-  TestedLocator locator(MakePointCloud<float>({ 1, 2, 3 }));
+  TestedLocator locator(MakePolyData<float>({ 1, 2, 3 }));
   for (const Position& x : { Position{ 1, 2, 3 }, Position{ -1e30, 0, 4 }, Position{ 0, 0, 0 } })
   {
     EXPECT_EQ(locator->FindClosestPoint(x.data()), 0);
@@ -160,7 +160,7 @@ TEST(TestHashedOctreePointLocatorEdges, AllPointsEqual)
   {
     coordinates.insert(coordinates.end(), { -7.0, 0.25, 1e6 });
   }
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   for (const Position& x : { Position{ -7, 0.25, 1e6 }, Position{ 3, 0, 0 } })
   {
     EXPECT_EQ(locator->FindClosestPoint(x.data()), 0);
@@ -177,7 +177,7 @@ TEST(TestHashedOctreePointLocatorEdges, PointsThatAreNotFiniteAreSkippedWithOneW
   coordinates[3 * 7 + 1] = NotANumber;
   coordinates[3 * 20] = Infinity;
   coordinates[3 * 49 + 2] = -Infinity;
-  const auto cloud = MakePointCloud(coordinates);
+  const auto cloud = MakePolyData(coordinates);
   TestedLocator locator(cloud);
   const Ids found = locator.FindWithin(Infinity, { 0, 0, 0 });
   EXPECT_EQ(found.size(), 47U);
@@ -195,14 +195,14 @@ TEST(TestHashedOctreePointLocatorEdges, PointsThatAreNotFiniteAreSkippedWithOneW
 
 TEST(TestHashedOctreePointLocatorEdges, NoFinitePointIsAsNoPoint)
 {
-  TestedLocator locator(MakePointCloud<float>({ NAN, 0, 0, 0, INFINITY, 0 }));
+  TestedLocator locator(MakePolyData<float>({ NAN, 0, 0, 0, INFINITY, 0 }));
   ExpectNoTree(locator);
   locator.ExpectWarningOfSkippedPoints(2);
 }
 
 TEST(TestHashedOctreePointLocatorEdges, PositionsThatAreNotFiniteFindNothing)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, float>(100, 23)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, float>(100, 23)));
   for (const double bad : { NotANumber, Infinity, -Infinity })
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -221,7 +221,7 @@ TEST(TestHashedOctreePointLocatorEdges, PositionsThatAreNotFiniteFindNothing)
 
 TEST(TestHashedOctreePointLocatorEdges, NumbersOfPointsOutOfRangeAreSilent)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, float>(100, 24)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, float>(100, 24)));
   const Position x{ 0.5, 0.5, 0.5 };
   EXPECT_EQ(locator.FindClosest(0, x), Ids());
   EXPECT_EQ(locator.FindClosest(-1, x), Ids());
@@ -233,7 +233,7 @@ TEST(TestHashedOctreePointLocatorEdges, NumbersOfPointsOutOfRangeAreSilent)
 
 TEST(TestHashedOctreePointLocatorEdges, RadiiOfAllKinds)
 {
-  TestedLocator locator(MakePointCloud<double>({ 0, 0, 0, 3, 0, 0, 3, 4, 0, 0, 0, 0 }));
+  TestedLocator locator(MakePolyData<double>({ 0, 0, 0, 3, 0, 0, 3, 4, 0, 0, 0, 0 }));
   const Position origin{ 0, 0, 0 };
   EXPECT_EQ(locator.FindWithin(0.0, origin), (Ids{ 0, 3 })); // Points at x.
   EXPECT_EQ(locator.FindWithin(-0.0, origin), (Ids{ 0, 3 }));
@@ -263,7 +263,7 @@ TEST(TestHashedOctreePointLocatorEdges, AMillionWidthsAway)
 {
   const std::vector<float> coordinates = MakeUniformPoints<3, float>(3000, 25);
   const BruteForceSearch<3, float> oracle({ coordinates.data(), 3000 });
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   for (const Position& x : { Position{ 1e6, 0.3, 0.2 }, Position{ -1e6, -1e6, 1e6 },
          Position{ 0.5, 0.5, -1e6 }, Position{ 1e30, 0, 0 }, Position{ 0.5, 1e100, 0.5 } })
   {
@@ -277,7 +277,7 @@ TEST(TestHashedOctreePointLocatorEdges, ManyMorePointsThanALeafHoldsAtOnePlaceAn
   std::vector<double> coordinates = MakeUniformPoints<3, double>(5000, 26, 0.0, 1e-9);
   coordinates.insert(coordinates.end(), { 1.0, 1.0, 1.0 });
   const BruteForceSearch<3, double> oracle({ coordinates.data(), 5001 });
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   for (const Position& x : { Position{ 5e-10, 5e-10, 5e-10 }, Position{ 0.4, 0.4, 0.4 },
          Position{ 0.6, 0.6, 0.6 }, Position{ 1, 1, 1 } })
   {
@@ -291,7 +291,7 @@ TEST(TestHashedOctreePointLocatorEdges, DistancesBeyondTheRangeOfDouble)
   // Squared distances that overflow are all equally far; the smallest id wins among them.
   const std::vector<double> coordinates{ 1e200, 0, 0, -1e200, 0, 0, 0, 1e200, 0, 1, 0, 0, 2, 0, 0 };
   const BruteForceSearch<3, double> oracle({ coordinates.data(), 5 });
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   for (const int maxPointsPerLeaf : { 1, 16 })
   {
     locator->SetMaxPointsPerLeaf(maxPointsPerLeaf);

@@ -8,7 +8,7 @@
 TEST(TestHashedOctreePointLocatorLeaves, AreThoseOfTheRepresentation)
 {
   const auto coordinates = MakeClusteredPoints<3, double>(3000, 191);
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   locator->SetMaxPointsPerLeaf(4);
   vtkNew<vtkPolyData> leaves;
   locator->GenerateRepresentation(-1, leaves);
@@ -38,7 +38,7 @@ TEST(TestHashedOctreePointLocatorLeaves, WithoutPointsHaveNoNumber)
 {
   // All points lie in one half of the root's cells.
   TestedLocator locator(
-    MakePointCloud(std::vector<double>{ 0, 0, 0, 1, 0, 0, 0.1, 0.1, 0.1, 0.9, 0.1, 0.1 }));
+    MakePolyData(std::vector<double>{ 0, 0, 0, 1, 0, 0, 0.1, 0.1, 0.1, 0.9, 0.1, 0.1 }));
   locator->SetMaxPointsPerLeaf(1);
   const double empty[3] = { 0.6, 0.9, 0.9 };
   EXPECT_EQ(locator->GetLeafId(empty), -1);
@@ -65,7 +65,7 @@ TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
   }
   const double box[6] = { -9, 9, -9, 9, -9, 9 };
   EXPECT_EQ(locator->GetPointsWithinBoxCost(box), 0);
-  locator->SetDataSet(MakePointCloud(std::vector<double>{ 1, 2, 3 }));
+  locator->SetDataSet(MakePolyData(std::vector<double>{ 1, 2, 3 }));
   EXPECT_EQ(locator->GetLeafId(x), 0);
   EXPECT_EQ(locator->GetDepth(x), 0);
   EXPECT_EQ(locator->GetHitCost(x), 1);
@@ -78,7 +78,7 @@ TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
 
 TEST(TestHashedOctreePointLocatorLeaves, LargerSearchesCostMore)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(20000, 193)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 193)));
   locator->SetMaxPointsPerLeaf(4);
   const double x[3] = { 0.4, 0.6, 0.5 };
   EXPECT_EQ(locator->GetClosestNPointsCost(0, x), 0);
@@ -111,7 +111,7 @@ TEST(TestHashedOctreePointLocatorLeaves, LargerSearchesCostMore)
 TEST(TestHashedOctreePointLocatorLeaves, SearchesCostLessFromTheMedian)
 {
   const auto coordinates = MakeUniformPoints<3, double>(20000, 192);
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   const auto sumUp = [&](int model)
   {
     locator->SetStartDepthModel(model);
@@ -130,7 +130,7 @@ TEST(TestHashedOctreePointLocatorLeaves, SearchesCostLessFromTheMedian)
 TEST(TestHashedOctreePointLocatorLeaves, CostLessFromLocalStartDepths)
 {
   const auto coordinates = MakeClusteredPoints<3, double>(3000, 194);
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   locator->SetMaxPointsPerLeaf(4);
   locator->SetFrequencyModel(vtkHashedOctreePointLocator::Points);
   const auto sumUp = [&](int model)

@@ -60,7 +60,7 @@ protected:
 
 TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(100000, 261)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(100000, 261)));
   locator->SetMaxPointsPerLeaf(1);
   locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
   const double x[3] = { 0.5, 0.5, 0.5 };
@@ -98,7 +98,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
 
 TEST_F(TestHashedOctreePointLocatorMemory, AQueryThatFindsTooMuchFindsNothing)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(1000000, 264)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(1000000, 264)));
   locator->BuildLocator();
   const double x[3] = { 0.5, 0.5, 0.5 };
   const double box[6] = { -9, 9, -9, 9, -9, 9 };
@@ -138,7 +138,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, AQueryThatFindsTooMuchFindsNothing)
 
 TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearchesFindTheSame)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(20000, 263)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 263)));
   locator->SetMaxPointsPerLeaf(1);
   const double x[3] = { 0.5, 0.5, 0.5 };
   const vtkIdType closest = locator->FindClosestPoint(x);
@@ -152,7 +152,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearche
 
 TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(20000, 265)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 265)));
   locator->SetMaxPointsPerLeaf(1);
   locator->BuildLocator();
   vtkSMPTools::SetBackend("Sequential");
@@ -169,7 +169,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
 
 TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatAsksForTooMuchIsEmpty)
 {
-  TestedLocator locator(MakePointCloud(MakeUniformPoints<3, double>(10, 266)));
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(10, 266)));
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
   queries->SetNumberOfTuples(100000);
@@ -189,7 +189,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatFindsTooMuchIsEmpty)
 {
   // All points for each of the positions: half a gigabyte.
   const std::vector<double> coordinates = MakeUniformPoints<3, double>(20000, 262);
-  TestedLocator locator(MakePointCloud(coordinates));
+  TestedLocator locator(MakePolyData(coordinates));
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
   for (std::size_t i = 0; i < 1500; ++i)

@@ -83,7 +83,7 @@ TEST(TestHashedOctreePointLocatorThreads, ManyThreadsGetTheAnswersOfOne)
 {
   using Class = vtkHashedOctreePointLocator;
   const std::size_t numberOfQueries = Sanitized ? 300 : 3000;
-  const auto cloud = MakePointCloud(MakeClusteredPoints<3, float>(5000, 41));
+  const auto cloud = MakePolyData(MakeClusteredPoints<3, float>(5000, 41));
   const std::vector<double> queries = MakeUniformPoints<3, double>(numberOfQueries, 42, 0.2, 1.1);
   TestedLocator locator(cloud);
   locator->SetMaxPointsPerLeaf(8);
@@ -108,7 +108,7 @@ TEST(TestHashedOctreePointLocatorThreads, ManyThreadsGetTheAnswersOfOne)
 
 TEST(TestHashedOctreePointLocatorThreads, QueriesInsideVtkSMPTools)
 {
-  const auto cloud = MakePointCloud(MakeUniformPoints<3, double>(20000, 43));
+  const auto cloud = MakePolyData(MakeUniformPoints<3, double>(20000, 43));
   TestedLocator locator(cloud);
   locator->BuildLocator();
   vtkSMPTools::SetBackend("STDThread");
@@ -130,7 +130,7 @@ TEST(TestHashedOctreePointLocatorThreads, QueriesInsideVtkSMPTools)
 
 TEST(TestHashedOctreePointLocatorThreads, TheTreeDoesNotDependOnTheThreadsThatBuiltIt)
 {
-  const auto cloud = MakePointCloud(MakeClusteredPoints<3, double>(100000, 44));
+  const auto cloud = MakePolyData(MakeClusteredPoints<3, double>(100000, 44));
   const std::vector<double> queries = MakeUniformPoints<3, double>(100, 45, 0.2, 1.1);
   std::vector<Answers> expected;
   vtkNew<vtkIdList> list;

@@ -2,45 +2,25 @@
 #ifndef Testing_Cxx_TestedAlgorithm_h
 #define Testing_Cxx_TestedAlgorithm_h
 
+#include "PointClouds.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
-
-/** Points of the given VTK type, from three coordinates for each. */
-inline vtkSmartPointer<vtkPoints> MakePoints(
-  const std::vector<double>& coordinates, int type = VTK_DOUBLE)
-{
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataType(type);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(coordinates.size() / 3));
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    points->SetPoint(i, coordinates.data() + 3 * i);
-  }
-  return points;
-}
-
-/** Points alone, without cells. */
-inline vtkSmartPointer<vtkPolyData> MakePolyData(
-  const std::vector<double>& coordinates, int type = VTK_DOUBLE)
-{
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(MakePoints(coordinates, type));
-  return data;
-}
 
 /** An algorithm, and all that it says while it runs. */
 template <typename Algorithm>
@@ -67,6 +47,13 @@ public:
 
   Algorithm* operator->() { return this->Filter; }
   Algorithm* GetFilter() { return this->Filter; }
+
+  /** Value of the field data of port 0; NaN, which equals nothing, if there is none. */
+  double GetFieldValue(const char* name)
+  {
+    vtkDataArray* array = this->Filter->GetOutputDataObject(0)->GetFieldData()->GetArray(name);
+    return array != nullptr && array->GetNumberOfValues() == 1 ? array->GetTuple1(0) : NAN;
+  }
 
   /** Runs it, and expects no error. */
   void UpdateWithoutErrors()

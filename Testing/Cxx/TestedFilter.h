@@ -24,13 +24,6 @@ public:
   vtkTable* GetHistogram() { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(1)); }
   vtkTable* GetCosts() { return vtkTable::SafeDownCast(this->Filter->GetOutputDataObject(2)); }
 
-  /** Value of the field data of port 0; NaN, which equals nothing, if there is none. */
-  double GetFieldValue(const char* name)
-  {
-    vtkDataArray* array = this->GetCells()->GetFieldData()->GetArray(name);
-    return array != nullptr && array->GetNumberOfValues() == 1 ? array->GetTuple1(0) : NAN;
-  }
-
   void Update()
   {
     this->UpdateWithoutErrors();

@@ -37,12 +37,6 @@ public:
     return static_cast<std::int64_t>(
       this->GetLocated()->GetPointData()->GetArray(array)->GetVariantValue(query).ToTypeInt64());
   }
-  /** Value of the field data; NaN, which equals nothing, if there is none. */
-  double GetFieldValue(const char* name)
-  {
-    vtkDataArray* array = this->GetLocated()->GetFieldData()->GetArray(name);
-    return array != nullptr && array->GetNumberOfValues() == 1 ? array->GetTuple1(0) : NAN;
-  }
   /** Value of a column in the row of a model; NaN if there is no such row. */
   double GetTableValue(const std::string& model, const char* column)
   {

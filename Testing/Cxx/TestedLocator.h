@@ -3,41 +3,20 @@
 #define Testing_Cxx_TestedLocator_h
 
 #include "BruteForceSearch.h"
+#include "PointClouds.h"
 #include "vtkHashedOctreePointLocator.h"
 
 #include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <vector>
-
-/** Points alone, of the type of their coordinates, three for each. */
-template <typename Real>
-vtkSmartPointer<vtkPolyData> MakePointCloud(const std::vector<Real>& coordinates)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataType(std::is_same<Real, float>::value ? VTK_FLOAT : VTK_DOUBLE);
-  points->SetNumberOfPoints(static_cast<vtkIdType>(coordinates.size() / 3));
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    const Real* x = coordinates.data() + 3 * i;
-    points->SetPoint(
-      i, static_cast<double>(x[0]), static_cast<double>(x[1]), static_cast<double>(x[2]));
-  }
-  auto cloud = vtkSmartPointer<vtkPolyData>::New();
-  cloud->SetPoints(points);
-  return cloud;
-}
 
 /** The locator, and all that it says. What no test has asked for is a failure at the end. */
 class TestedLocator

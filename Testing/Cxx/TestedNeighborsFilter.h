@@ -37,13 +37,6 @@ public:
   {
     return GetCellValue(this->GetCells(), array, cell);
   }
-  /** Value of the field data; NaN, which equals nothing, if there is none. */
-  double GetFieldValue(const char* name)
-  {
-    vtkDataArray* array = this->GetCells()->GetFieldData()->GetArray(name);
-    return array != nullptr && array->GetNumberOfValues() == 1 ? array->GetTuple1(0) : NAN;
-  }
-
   void Update()
   {
     this->UpdateWithoutErrors();
