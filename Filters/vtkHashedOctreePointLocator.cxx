@@ -203,7 +203,7 @@ void vtkHashedOctreePointLocator::ForceBuildLocator()
 void vtkHashedOctreePointLocator::BuildLocatorInternal()
 {
   this->FreeSearchStructure();
-  auto index = std::make_unique<Index>();
+  auto index = std::make_shared<Index>();
   std::string problem;
   const auto fail = [&index, &problem](const char* text)
   {
@@ -302,6 +302,10 @@ const vtkHashedOctreePointLocator::Index& vtkHashedOctreePointLocator::GetIndex(
   if (!this->IsUpToDate())
   {
     this->BuildLocator();
+    if (!this->Built) // Who heard of a problem has freed it.
+    {
+      this->Built = std::make_shared<Index>();
+    }
   }
   return *this->Built;
 }
@@ -403,8 +407,9 @@ bool vtkHashedOctreePointLocator::RunBatch(
   {
     return false;
   }
-  const Index& index = this->GetIndex();
-  if (index.IsFailed)
+  this->GetIndex();
+  const std::shared_ptr<const Index> index = this->Built;
+  if (index->IsFailed)
   {
     return false;
   }
@@ -418,7 +423,7 @@ bool vtkHashedOctreePointLocator::RunBatch(
   try
   {
     const PointsAdaptor positions(queries, execution.Part(0.0, PositionsShare));
-    index.Visit(
+    index->Visit(
       [&](const auto& tree)
       {
         const PointBatch batch(tree, execution.Part(PositionsShare, 1.0));

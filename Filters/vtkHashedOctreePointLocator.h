@@ -62,7 +62,7 @@
 
 #include <atomic>           // For the end of a batch
 #include <initializer_list> // For the outputs of a batch
-#include <memory>           // For std::unique_ptr
+#include <memory>           // For std::shared_ptr
 
 class vtkDataArray;
 class vtkDoubleArray;
@@ -286,7 +286,7 @@ private:
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
   std::atomic<bool> BatchIsAborted{ false };
-  std::unique_ptr<Index> Built;
+  std::shared_ptr<Index> Built; ///< Kept by a batch to its end, whatever its observers do.
 };
 
 #endif

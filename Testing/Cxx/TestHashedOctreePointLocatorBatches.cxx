@@ -212,6 +212,38 @@ TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgot
   locator.Errors.clear();
 }
 
+TEST(TestHashedOctreePointLocatorBatches, GoOnWhateverTheirObserversDo)
+{
+  const auto coordinates = MakeUniformPoints<3, float>(60000, 186);
+  const auto queries = MakeQueries<vtkFloatArray>(coordinates, 60000);
+  TestedLocator locator(MakePolyData(coordinates));
+  Outputs expected;
+  ASSERT_TRUE(locator->FindClosestPoints(queries, expected.Ids, expected.Dist2));
+  struct Observer
+  {
+    vtkHashedOctreePointLocator* Locator;
+    int Calls = 0;
+    void Free(vtkObject*, unsigned long, void*)
+    {
+      this->Locator->FreeSearchStructure();
+      if (++this->Calls % 2 == 0)
+      {
+        this->Locator->SetMaxPointsPerLeaf(this->Calls);
+        EXPECT_GE(this->Locator->FindClosestPoint(0.5, 0.5, 0.5), 0);
+      }
+    }
+  } observer{ locator.Get() };
+  locator->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Free);
+  Outputs outputs;
+  ASSERT_TRUE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_GT(observer.Calls, 2);
+  for (vtkIdType i = 0; i < queries->GetNumberOfTuples(); ++i)
+  {
+    ASSERT_EQ(outputs.Ids->GetValue(i), expected.Ids->GetValue(i));
+    ASSERT_EQ(outputs.Dist2->GetValue(i), expected.Dist2->GetValue(i));
+  }
+}
+
 TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
 {
   TestedLocator locator(MakePolyData<float>({ NAN, 0, 0, 1, 0, 0 }));

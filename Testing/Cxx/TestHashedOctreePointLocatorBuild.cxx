@@ -372,6 +372,24 @@ TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayAskAtOnce)
   ofTooMany.Errors.clear();
 }
 
+TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayFreeTheTree)
+{
+  struct Listener
+  {
+    TestedLocator& Freed;
+    void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
+  };
+  TestedLocator locator(MakePolyData<float>({ 0, 0, 0, NAN, 0, 0, 1, 0, 0 }));
+  Listener listener{ locator };
+  const auto tag = locator->AddObserver(vtkCommand::WarningEvent, &listener, &Listener::Free);
+  EXPECT_EQ(locator->FindClosestPoint(0.1, 0, 0), -1);
+  locator.ExpectWarningOfSkippedPoints(1);
+  locator->RemoveObserver(tag);
+  locator->Modified();
+  EXPECT_EQ(locator->FindClosestPoint(0.1, 0, 0), 0);
+  locator.ExpectWarningOfSkippedPoints(1);
+}
+
 TEST(TestHashedOctreePointLocatorBuild, MorePointsThanCanBeCopiedAreAnError)
 {
   if (sizeof(hashedoctree::PointIndex) > 4 && Sanitized)
