@@ -135,7 +135,9 @@ function (_hashedoctree_add_gtest name file label)
   target_compile_options("${name}" PRIVATE $<$<CONFIG:Release>:-O1>)
   _hashedoctree_precompile_headers("${name}" "${label}")
   add_test(NAME "${name}" COMMAND "${name}")
-  set_tests_properties("${name}" PROPERTIES LABELS "${label}" TIMEOUT 600)
+  # More memory than there is throws with a sanitizer, too, instead of ending the test.
+  set_tests_properties("${name}" PROPERTIES LABELS "${label}" TIMEOUT 600 ENVIRONMENT
+    "ASAN_OPTIONS=allocator_may_return_null=1;TSAN_OPTIONS=allocator_may_return_null=1")
 endfunction ()
 
 # The builds with a sanitizer read the headers that all tests have in common once for each label. The
