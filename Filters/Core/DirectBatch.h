@@ -3,6 +3,7 @@
 #define hashedoctree_DirectBatch_h
 
 #include "DirectSearch.h"
+#include "PointKeys.h"
 
 #include <array>
 
@@ -29,20 +30,25 @@ void FindLeaves(const Tree<Dim>& tree, const Points& positions, std::size_t firs
   constexpr std::size_t groupSize = 16; // Loads that a machine has on their way at a time.
   std::array<MortonKey<Dim>, groupSize> keys;
   std::array<int, groupSize> startDepths;
-  for (; first < last; first += groupSize)
-  {
-    const std::size_t count = std::min(groupSize, last - first);
-    for (std::size_t i = 0; i < count; ++i)
+  SearchAsking<Dim>(tree.GetTable(),
+    [&](const auto& ask)
     {
-      keys[i] = tree.GetGrid().GetKey(positions[first + i]);
-      startDepths[i] = getStartDepth(keys[i]);
-      tree.GetTable().Prefetch(keys[i].AtDepth(std::max(startDepths[i] - 1, 0)).GetValue());
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      onLeaf(first + i, FindLeaf(tree, keys[i], startDepths[i], reading));
-    }
-  }
+      NoCount examined;
+      for (; first < last; first += groupSize)
+      {
+        const std::size_t count = std::min(groupSize, last - first);
+        GetKeys<Dim>(tree.GetGrid(), positions, first, count, keys.data());
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          startDepths[i] = getStartDepth(keys[i]);
+          ask(keys[i], std::max(startDepths[i] - 1, 0));
+        }
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          onLeaf(first + i, FindLeafAsking(tree, keys[i], startDepths[i], examined, reading, ask));
+        }
+      }
+    });
 }
 }
 

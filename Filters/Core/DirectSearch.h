@@ -42,15 +42,30 @@ struct NodeCount
   void AddNode() { ++this->Nodes; }
 };
 
-/** FindLeaf(); ask(depth) hears early of the nodes that are likely to be examined. Private to it.
+/**
+ * Calls search(ask) and returns what it returns; ask(key, depth) is to be called early for nodes
+ * that are likely to be examined. Where a node is in the table follows from its key alone, so the
+ * machine loads them while it waits for the first. Private to FindLeaf() and FindLeaves().
  */
+template <int Dim, typename Table, typename Search>
+auto SearchAsking(const Table& table, const Search& search)
+{
+  if (table.IsCached())
+  {
+    return search([](MortonKey<Dim>, int) {});
+  }
+  return search(
+    [&table](MortonKey<Dim> key, int depth) { table.Prefetch(key.AtDepth(depth).GetValue()); });
+}
+
+/** FindLeaf() as a search of SearchAsking(). */
 template <template <int> class Tree, int Dim, typename Count, typename Ask>
 FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth,
   Count& count, EmptyOctants reading, const Ask& ask)
 {
   const auto& table = tree.GetTable();
-  ask(startDepth);
-  ask(std::max(startDepth - 2, 0));
+  ask(key, startDepth);
+  ask(key, std::max(startDepth - 2, 0));
 
   // Up (case 3): no node at `depth` as long as it has no parent.
   const typename Tree<Dim>::Entry* parent = nullptr;
@@ -63,7 +78,7 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
     {
       break;
     }
-    ask(std::max(depth - 3, 0));
+    ask(key, std::max(depth - 3, 0));
   }
 
   if (depth == 0)
@@ -85,7 +100,7 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
   {
     parent = table.Find(key.AtDepth(depth).GetValue());
     ++depth;
-    ask(depth);
+    ask(key, depth);
     count.AddNode();
     octant = key.AtDepth(depth).GetOctant();
   }
@@ -117,15 +132,8 @@ template <template <int> class Tree, int Dim, typename Count>
 FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
-  const auto& table = tree.GetTable();
-  if (table.IsCached())
-  {
-    return FindLeafAsking(tree, key, startDepth, count, reading, [](int) {});
-  }
-  // Where a node is in the table follows from its key alone. So those that are examined next are
-  // asked for now, and the machine loads them while it waits for the first.
-  return FindLeafAsking(tree, key, startDepth, count, reading,
-    [&table, key](int depth) { table.Prefetch(key.AtDepth(depth).GetValue()); });
+  return SearchAsking<Dim>(tree.GetTable(),
+    [&](const auto& ask) { return FindLeafAsking(tree, key, startDepth, count, reading, ask); });
 }
 
 /** FindLeaf() without counting. */

@@ -2,33 +2,10 @@
 #include "MortonCodes.h"
 
 #include "FirstTouch.h"
-#include "GridCells.h"
-#include "PlaneSpan.h"
+#include "PointKeys.h"
 
 namespace hashedoctree
 {
-namespace
-{
-constexpr std::size_t BlockSize = 128; // Cells and keys of a block stay in the first cache.
-
-template <int Dim, typename Real>
-void GetCellsOf(const Grid<Dim>& grid, PointSpan<Dim, Real> points, std::size_t first,
-  std::size_t count, Cell<Dim>* cells)
-{
-  GetCells<Dim>(grid, points[first], count, cells);
-}
-
-template <int Dim, typename Real>
-void GetCellsOf(const Grid<Dim>& grid, PlaneSpan<Real> points, std::size_t first, std::size_t count,
-  Cell<Dim>* cells)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    cells[i] = grid.GetCell(points[first + i]);
-  }
-}
-}
-
 template <int Dim, typename Points>
 Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& selection,
   const Grid<Dim>& grid, const Execution& execution)
@@ -39,15 +16,13 @@ Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& s
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
       const bool keepsAll = selection.KeepsAll();
-      std::array<Cell<Dim>, BlockSize> cells;
-      std::array<MortonKey<Dim>, BlockSize> keys;
+      std::array<MortonKey<Dim>, MostKeysAtOnce> keys;
       std::size_t next = selection.GetFirstOfChunk(chunk);
-      for (std::size_t block = first; block < last; block += BlockSize)
+      for (std::size_t block = first; block < last; block += MostKeysAtOnce)
       {
-        const std::size_t count = std::min(last - block, BlockSize);
-        // Cells of points that do not take part have no meaning, but are cells.
-        GetCellsOf<Dim>(grid, points, block, count, cells.data());
-        InterleaveCells<Dim>(cells.data(), count, keys.data());
+        const std::size_t count = std::min(last - block, MostKeysAtOnce);
+        // Those of points that do not take part have no meaning.
+        GetKeys<Dim>(grid, points, block, count, keys.data());
         for (std::size_t i = 0; i < count; ++i)
         {
           if (keepsAll || selection.Keeps(points[block + i]))
