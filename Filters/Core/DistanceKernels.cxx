@@ -2,6 +2,7 @@
 #include "DistanceKernels.h"
 
 #include "Lanes.h"
+#include "PlacesOfBits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,27 +193,6 @@ private:
 };
 
 #if defined(__x86_64__)
-/** For each mask of eight bits, the places of those that are set, in order. */
-struct PlacesOfBits
-{
-  alignas(8) std::uint8_t Places[256][8] = {};
-
-  constexpr PlacesOfBits()
-  {
-    for (unsigned mask = 0; mask < 256; ++mask)
-    {
-      std::size_t size = 0;
-      for (unsigned place = 0; place < 8; ++place)
-      {
-        if ((mask >> place & 1U) != 0)
-        {
-          this->Places[mask][size++] = static_cast<std::uint8_t>(place);
-        }
-      }
-    }
-  }
-};
-
 /** Ids of 32 bits, eight at a time. */
 struct Avx2Ids
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InRadiusSearch.h"
 
+#include "NeighborBuffer.h"
 #include "NodeBall.h"
 
 namespace hashedoctree
@@ -20,6 +21,7 @@ public:
     , Ball(ball)
     , Reading(reading)
     , Found(found)
+    , Leaves(found)
     , Examined(count)
   {
   }
@@ -44,6 +46,7 @@ public:
         }
       });
     this->Descend(parents.data(), count, cover.Depth);
+    this->Leaves.Flush();
   }
 
 private:
@@ -92,8 +95,8 @@ private:
       this->Tree.GetTable().Prefetch(child.NodeKey.GetValue());
       for (int axis = 0; axis < Dim; ++axis)
       {
-        const bool isUpper = (bit >> (Dim - 1 - axis) & 1U) != 0;
-        child.Lower[axis] = parent.Lower[axis] + (isUpper ? size : 0.0);
+        // (A product, since a choice is made by a branch, which nobody could foresee.)
+        child.Lower[axis] = parent.Lower[axis] + size * (bit >> (Dim - 1 - axis) & 1U);
       }
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -109,32 +112,22 @@ private:
   {
     const double size = NodeBall<Dim>::GetSize(depth);
     const NeighborCase kind = this->GetCase(depth);
-    std::uint64_t meeting = 0;
     std::uint64_t internal = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::uint64_t others = this->GetOthers(parents[i].NodeKey);
-      for (std::uint64_t rest = others; rest != 0; rest &= rest - 1)
+      const std::uint32_t others = this->GetOthers(parents[i].NodeKey);
+      for (std::uint32_t rest = others; rest != 0; rest &= rest - 1)
       {
         this->Examined.AddNode();
       }
       const Entry& entry = *parents[i].Children;
-      const std::uint64_t nodes = this->Reading == EmptyOctants::Leaves ? others : entry.Occupied;
-      meeting |= (others & nodes & this->Ball.GetMeetingOctants(parents[i].Lower, size))
-        << (i * Key::NumberOfOctants);
-      internal |= std::uint64_t(entry.Internal) << (i * Key::NumberOfOctants);
+      const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : entry.Occupied;
+      const std::uint32_t meeting =
+        others & nodes & this->Ball.GetMeetingOctants(parents[i].Lower, size);
+      internal |= std::uint64_t(meeting & entry.Internal) << (i * Key::NumberOfOctants);
+      this->Leaves.AddChildren(parents[i].NodeKey, meeting & ~entry.Internal, entry.Block, kind);
     }
-    std::array<Neighbor<Dim>, GroupSize * Key::NumberOfOctants> leaves;
-    std::size_t numberOfLeaves = 0;
-    for (std::uint64_t rest = meeting & ~internal; rest != 0; rest &= rest - 1)
-    {
-      const auto bit = static_cast<unsigned>(__builtin_ctzll(rest));
-      const Parent& parent = parents[bit / Key::NumberOfOctants];
-      leaves[numberOfLeaves++] = { parent.NodeKey.GetChild(bit % Key::NumberOfOctants),
-        parent.Children->Block, kind };
-    }
-    this->Found.insert(this->Found.end(), leaves.begin(), leaves.begin() + numberOfLeaves);
-    return meeting & internal;
+    return internal;
   }
 
   /** The children of a node without the node that is searched from. */
@@ -146,9 +139,9 @@ private:
 
   NeighborCase GetCase(int depth) const
   {
-    return depth == this->Depth ? NeighborCase::Leaf
-      : depth > this->Depth     ? NeighborCase::Descended
-                                : NeighborCase::Above;
+    constexpr NeighborCase cases[] = { NeighborCase::Above, NeighborCase::Leaf,
+      NeighborCase::Descended };
+    return cases[1 + (depth > this->Depth ? 1 : 0) - (depth < this->Depth ? 1 : 0)];
   }
 
   const Octree<Dim>& Tree;
@@ -157,6 +150,7 @@ private:
   const NodeBall<Dim>& Ball;
   const EmptyOctants Reading;
   std::vector<Neighbor<Dim>>& Found;
+  NeighborBuffer<Dim> Leaves; ///< On their way to Found.
   Count& Examined;
 };
 }

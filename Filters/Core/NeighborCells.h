@@ -23,13 +23,23 @@ struct NeighborCells
     Cell<Dim> cell;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      cell[axis] = (corner >> (Dim - 1 - axis) & 1U) != 0 ? this->Upper[axis] : this->Lower[axis];
+      // (A product, since a choice is made by a branch, which nobody could foresee.)
+      cell[axis] = this->Lower[axis] +
+        (corner >> (Dim - 1 - axis) & 1U) * (this->Upper[axis] - this->Lower[axis]);
     }
     return cell;
   }
 
-  /** The keys of the cells by corner; Key() where a smaller corner has the same cell. */
-  std::array<MortonKey<Dim>, std::size_t(1) << Dim> GetKeys() const
+  /** One of the cells, by a corner and its key. */
+  struct CornerKey
+  {
+    unsigned Corner;
+    MortonKey<Dim> Key;
+  };
+  using CornerKeys = std::array<CornerKey, std::size_t(1) << Dim>;
+
+  /** Each cell once, in the order of their corners; returns how many there are. */
+  std::size_t GetKeys(CornerKeys& keys) const
   {
     const std::uint64_t lower = InterleaveCell<Dim>(this->Lower, this->Depth).GetValue();
     const std::uint64_t upper = InterleaveCell<Dim>(this->Upper, this->Depth).GetValue();
@@ -38,17 +48,16 @@ struct NeighborCells
     {
       apart |= (this->Lower[axis] != this->Upper[axis] ? 1U : 0U) << (Dim - 1 - axis);
     }
-    std::array<MortonKey<Dim>, std::size_t(1) << Dim> keys{};
-    for (unsigned corner = 0; corner < keys.size(); ++corner)
+    std::size_t count = 0;
+    unsigned corner = 0;
+    do
     {
-      if ((corner & ~apart) == 0)
-      {
-        // All bits of the axes along which the corner is the upper one.
-        const std::uint64_t bits = Dilation<Dim>::Mask(1) * corner;
-        keys[corner] = MortonKey<Dim>(lower ^ ((lower ^ upper) & bits));
-      }
-    }
-    return keys;
+      // All bits of the axes along which the corner is the upper one.
+      const std::uint64_t bits = Dilation<Dim>::Mask(1) * corner;
+      keys[count++] = { corner, MortonKey<Dim>(lower ^ ((lower ^ upper) & bits)) };
+      corner = (corner - apart) & apart; // The next subset of these axes.
+    } while (corner != 0);
+    return count;
   }
 };
 
@@ -67,31 +76,32 @@ void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int st
   EmptyOctants reading, Count& count, const OnBlock& onBlock, const OnLeaf& onLeaf)
 {
   using Key = MortonKey<Dim>;
-  // Key() where nothing is to be done.
-  std::array<Key, Key::NumberOfOctants> keys = cells.GetKeys();
-  for (const Key key : keys)
+  typename NeighborCells<Dim>::CornerKeys keys;
+  const std::size_t numberOfCells = cells.GetKeys(keys);
+  for (std::size_t i = 0; i < numberOfCells; ++i)
   {
-    tree.GetTable().Prefetch(key.GetValue());
+    tree.GetTable().Prefetch(keys[i].Key.GetValue());
   }
-  for (unsigned corner = 0; corner < keys.size(); ++corner)
+  for (std::size_t i = 0; i < numberOfCells; ++i)
   {
-    const Key key = keys[corner];
+    const Key key = keys[i].Key;
     if (key == Key())
     {
-      continue;
+      continue; // In a leaf that was found before.
     }
     if (const typename Octree<Dim>::Entry* entry = tree.GetTable().Find(key.GetValue()))
     {
-      onBlock(cells.GetCell(corner), key, *entry);
+      onBlock(cells.GetCell(keys[i].Corner), key, *entry);
       continue;
     }
     count.AddNode();
     const FoundLeaf<Dim> leaf =
       FindLeaf(tree, key.GetFirstAtMaxDepth(), std::min(startDepth, cells.Depth), count, reading);
     const int shift = Dim * (cells.Depth - leaf.Key.GetDepth());
-    for (Key& other : keys)
+    for (std::size_t other = i + 1; other < numberOfCells; ++other)
     {
-      other = other.GetValue() >> shift == leaf.Key.GetValue() ? Key() : other;
+      Key& later = keys[other].Key;
+      later = later.GetValue() >> shift == leaf.Key.GetValue() ? Key() : later;
     }
     if (leaf.Exists)
     {

@@ -71,20 +71,29 @@ public:
     for (int axis = 0; axis < Dim; ++axis)
     {
       const Pair below = lower[axis] + places;
-      const Pair above = -(below + size);
+      const Pair above = -size - below;
       Pair nearest = below > above ? below : above;
       nearest = nearest > Pair{} ? nearest : Pair{};
       nearest2[axis] = nearest * nearest;
     }
-    std::uint32_t meeting = 0;
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; octant += 2)
+    // Sums over the last axes, for all places along them.
+    std::array<Pair, Key::NumberOfOctants / 2> sums;
+    sums[0] = nearest2[Dim - 1];
+    std::size_t count = 1;
+    for (int axis = Dim - 2; axis >= 0; --axis, count *= 2)
     {
-      double sum = 0.0;
-      for (int axis = 0; axis < Dim - 1; ++axis)
+      const Pair first = __builtin_shuffle(nearest2[axis], Truths{ 0, 0 });
+      const Pair second = __builtin_shuffle(nearest2[axis], Truths{ 1, 1 });
+      for (std::size_t i = 0; i < count; ++i)
       {
-        sum += nearest2[axis][octant >> (Dim - 1 - axis) & 1U];
+        sums[count + i] = second + sums[i];
+        sums[i] = first + sums[i];
       }
-      meeting |= GetBits(sum + nearest2[Dim - 1] <= this->Radius2) << octant;
+    }
+    std::uint32_t meeting = 0;
+    for (unsigned i = 0; i < count; ++i)
+    {
+      meeting |= GetBits(sums[i] <= this->Radius2) << (2 * i);
     }
     return meeting;
   }

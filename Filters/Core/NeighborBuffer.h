@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef hashedoctree_NeighborBuffer_h
+#define hashedoctree_NeighborBuffer_h
+
+#include "Neighbor.h"
+#include "PlacesOfBits.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace hashedoctree
+{
+/** Leaves on their way to the end of a list, in the order in which they are added: the list takes
+ * them together. Private to InRadiusSearch.cxx. */
+template <int Dim>
+class NeighborBuffer
+{
+public:
+  /** The list must outlive it. */
+  explicit NeighborBuffer(std::vector<Neighbor<Dim>>& found)
+    : Found(found)
+  {
+  }
+
+  /** Adds those children of a node whose bits are set, in the order of octants. `block` is the one
+   * that describes them. */
+  void AddChildren(
+    MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block, NeighborCase kind)
+  {
+    if (this->Size > Most)
+    {
+      this->Flush();
+    }
+    const std::uint64_t child = node.GetChild(0).GetValue();
+    for (unsigned first = 0; first < MortonKey<Dim>::NumberOfOctants; first += Width)
+    {
+      const unsigned mask = octants >> first & ((1U << Width) - 1U);
+      // As many are written as there can be: how many there are nobody could foresee.
+      Neighbor<Dim>* next = this->Leaves.data() + this->Size;
+      for (const std::uint8_t place : Bits.Places[mask])
+      {
+        *next++ = { MortonKey<Dim>(child + first + place), block, kind };
+      }
+      this->Size += Bits.Count[mask];
+    }
+  }
+
+  /** Puts what was added into the list. */
+  void Flush()
+  {
+    this->Found.insert(this->Found.end(), this->Leaves.begin(), this->Leaves.begin() + this->Size);
+    this->Size = 0;
+  }
+
+private:
+  static constexpr PlacesOfBits Bits{};
+  static constexpr unsigned Width =
+    std::min<unsigned>(PlacesOfBits::Width, MortonKey<Dim>::NumberOfOctants);
+  static constexpr std::size_t Most =
+    240; ///< Beyond it there may be no room for a node's children.
+
+  std::vector<Neighbor<Dim>>& Found;
+  std::array<Neighbor<Dim>, Most + MortonKey<Dim>::NumberOfOctants + PlacesOfBits::Width> Leaves;
+  std::size_t Size = 0;
+};
+}
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NeighborBuffer.h"
+
+#include "Dimensions.h"
+
+#include <random>
+
+using namespace hashedoctree;
+
+template <typename Dimension>
+class TestNeighborBuffer : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestNeighborBuffer, Dimensions);
+
+TYPED_TEST(TestNeighborBuffer, AppendsTheChildrenInOrder)
+{
+  constexpr int dim = TypeParam::value;
+  using Key = MortonKey<dim>;
+  std::mt19937 random(71);
+  std::vector<Neighbor<dim>> found{ { Key(5), 6, NeighborCase::Above } };
+  std::vector<Neighbor<dim>> expected = found;
+  NeighborBuffer<dim> buffer(found);
+  for (std::uint32_t block = 0; block < 1000; ++block) // Far more than it holds.
+  {
+    // All children every now and then, and none.
+    const auto octants =
+      static_cast<std::uint32_t>(block % 100 < 30 ? (1U << Key::NumberOfOctants) - 1U
+                                                  : random() % (1U << Key::NumberOfOctants));
+    const Key node(1 + random() % 1000);
+    const auto kind = static_cast<NeighborCase>(block % 3);
+    buffer.AddChildren(node, octants, block, kind);
+    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+    {
+      if ((octants >> octant & 1U) != 0)
+      {
+        expected.push_back({ node.GetChild(octant), block, kind });
+      }
+    }
+  }
+  buffer.Flush();
+  buffer.Flush(); // There is nothing left.
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    ASSERT_EQ(found[i].Key, expected[i].Key) << i;
+    ASSERT_EQ(found[i].ParentBlock, expected[i].ParentBlock) << i;
+    ASSERT_EQ(found[i].Case, expected[i].Case) << i;
+  }
+}
