@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdjacentSearch.h"
 
+#include "NeighborBuffer.h"
 #include "NeighborCells.h"
 #include "NeighborDirection.h"
 
@@ -19,7 +20,7 @@ public:
     , Node(node)
     , Home(node.GetCell())
     , Reading(reading)
-    , Found(found)
+    , Leaves(found)
     , Examined(count)
   {
   }
@@ -32,8 +33,9 @@ public:
       [this](const Cell<Dim>& cell, Key key, const Entry& entry)
       { this->SearchChildren(cell, key, entry); },
       [this](const FoundLeaf<Dim>& leaf) {
-        this->Found.push_back({ leaf.Key, leaf.ParentBlock, NeighborCase::Above });
+        this->Leaves.Add({ leaf.Key, leaf.ParentBlock, NeighborCase::Above });
       });
+    this->Leaves.Flush();
   }
 
 private:
@@ -67,26 +69,16 @@ private:
     const NeighborDirection<Dim> toParent{ across, own & across };
     const OctantMask<Dim> touching = toParent.GetTouchingOctants();
     this->Tree.PrefetchChildren(parentKey, entry.Internal & touching);
-    for (unsigned rest = touching; rest != 0; rest &= rest - 1)
-    {
-      const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
-      const unsigned axes = across | (octant ^ own);
-      if (axes == 0)
-      {
-        continue; // The node itself.
-      }
-      this->Examined.AddNode();
-      if ((entry.Internal >> octant & 1U) != 0)
+    const unsigned others =
+      across == 0 ? touching & ~(1U << own) : touching; // Not the node itself.
+    this->SearchOctants(parentKey, entry, others, NeighborCase::Leaf,
+      [this, parentKey, across, own](unsigned octant)
       {
         // Across the border of the node's own parent a step up leads to a lower octant.
+        const unsigned axes = across | (octant ^ own);
         const NeighborDirection<Dim> direction{ axes, (octant ^ across) & axes };
         this->Descend(parentKey.GetChild(octant), direction.GetTouchingOctants());
-      }
-      else if (this->IsLeaf(entry.Occupied, octant))
-      {
-        this->Found.push_back({ parentKey.GetChild(octant), entry.Block, NeighborCase::Leaf });
-      }
-    }
+      });
   }
 
   /** The leaves below a neighbour that touch the node: in any depth in the same octants. */
@@ -94,32 +86,33 @@ private:
   {
     const Entry& entry = *this->Tree.GetTable().Find(key.GetValue());
     this->Tree.PrefetchChildren(key, entry.Internal & touching);
-    for (unsigned rest = touching; rest != 0; rest &= rest - 1)
-    {
-      const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
-      this->Examined.AddNode();
-      if ((entry.Internal >> octant & 1U) != 0)
-      {
-        this->Descend(key.GetChild(octant), touching);
-      }
-      else if (this->IsLeaf(entry.Occupied, octant))
-      {
-        this->Found.push_back({ key.GetChild(octant), entry.Block, NeighborCase::Descended });
-      }
-    }
+    this->SearchOctants(key, entry, touching, NeighborCase::Descended,
+      [this, key, touching](unsigned octant) { this->Descend(key.GetChild(octant), touching); });
   }
 
-  /** Of a child that is not internal. */
-  bool IsLeaf(OctantMask<Dim> occupied, unsigned octant) const
+  /** Lists those children of a node that are leaves, and calls onInternal(octant) for those that
+   * are internal, in the order of octants. */
+  template <typename OnInternal>
+  void SearchOctants(
+    Key key, const Entry& entry, unsigned octants, NeighborCase kind, const OnInternal& onInternal)
   {
-    return this->Reading == EmptyOctants::Leaves || (occupied >> octant & 1U) != 0;
+    this->Examined.AddNodes(__builtin_popcount(octants));
+    unsigned rest = this->Reading == EmptyOctants::Leaves ? octants : octants & entry.Occupied;
+    for (unsigned internal = rest & entry.Internal; internal != 0; internal &= internal - 1)
+    {
+      const unsigned first = internal & -internal;
+      this->Leaves.AddChildren(key, rest & (first - 1U), entry.Block, kind);
+      onInternal(static_cast<unsigned>(__builtin_ctz(first)));
+      rest &= ~(2U * first - 1U);
+    }
+    this->Leaves.AddChildren(key, rest, entry.Block, kind);
   }
 
   const Octree<Dim>& Tree;
   const Key Node;
   const Cell<Dim> Home;
   const EmptyOctants Reading;
-  std::vector<Neighbor<Dim>>& Found;
+  NeighborBuffer<Dim> Leaves;
   Count& Examined;
 };
 }

@@ -33,6 +33,7 @@ struct FoundLeaf
 struct NoCount
 {
   void AddNode() {}
+  void AddNodes(int) {}
 };
 
 /** Counts the nodes that one search, or several, examine: the cost in the sense of the paper. */
@@ -40,6 +41,7 @@ struct NodeCount
 {
   std::uint64_t Nodes = 0;
   void AddNode() { ++this->Nodes; }
+  void AddNodes(int count) { this->Nodes += static_cast<std::uint64_t>(count); }
 };
 
 /**

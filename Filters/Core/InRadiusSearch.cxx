@@ -20,7 +20,6 @@ public:
     , Depth(node.GetDepth())
     , Ball(ball)
     , Reading(reading)
-    , Found(found)
     , Leaves(found)
     , Examined(count)
   {
@@ -42,7 +41,7 @@ public:
         const Key key = leaf.Key;
         if (this->Ball.Meets(key.GetCell(), key.GetDepth()))
         {
-          this->Found.push_back({ key, leaf.ParentBlock, NeighborCase::Above });
+          this->Leaves.Add({ key, leaf.ParentBlock, NeighborCase::Above });
         }
       });
     this->Descend(parents.data(), count, cover.Depth);
@@ -116,10 +115,7 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       const std::uint32_t others = this->GetOthers(parents[i].NodeKey);
-      for (std::uint32_t rest = others; rest != 0; rest &= rest - 1)
-      {
-        this->Examined.AddNode();
-      }
+      this->Examined.AddNodes(__builtin_popcount(others));
       const Entry& entry = *parents[i].Children;
       const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : entry.Occupied;
       const std::uint32_t meeting =
@@ -149,8 +145,7 @@ private:
   const int Depth;
   const NodeBall<Dim>& Ball;
   const EmptyOctants Reading;
-  std::vector<Neighbor<Dim>>& Found;
-  NeighborBuffer<Dim> Leaves; ///< On their way to Found.
+  NeighborBuffer<Dim> Leaves;
   Count& Examined;
 };
 }

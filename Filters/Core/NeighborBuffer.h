@@ -13,7 +13,7 @@
 namespace hashedoctree
 {
 /** Leaves on their way to the end of a list, in the order in which they are added: the list takes
- * them together. Private to InRadiusSearch.cxx. */
+ * them together. Private to the neighbour searches. */
 template <int Dim>
 class NeighborBuffer
 {
@@ -24,15 +24,18 @@ public:
   {
   }
 
+  void Add(const Neighbor<Dim>& leaf)
+  {
+    this->MakeRoom();
+    this->Leaves[this->Size++] = leaf;
+  }
+
   /** Adds those children of a node whose bits are set, in the order of octants. `block` is the one
    * that describes them. */
   void AddChildren(
     MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block, NeighborCase kind)
   {
-    if (this->Size > Most)
-    {
-      this->Flush();
-    }
+    this->MakeRoom();
     const std::uint64_t child = node.GetChild(0).GetValue();
     for (unsigned first = 0; first < MortonKey<Dim>::NumberOfOctants; first += Width)
     {
@@ -58,8 +61,15 @@ private:
   static constexpr PlacesOfBits Bits{};
   static constexpr unsigned Width =
     std::min<unsigned>(PlacesOfBits::Width, MortonKey<Dim>::NumberOfOctants);
-  static constexpr std::size_t Most =
-    240; ///< Beyond it there may be no room for a node's children.
+  static constexpr std::size_t Most = 240; ///< With room behind it for the children of a node.
+
+  void MakeRoom()
+  {
+    if (this->Size > Most)
+    {
+      this->Flush();
+    }
+  }
 
   std::vector<Neighbor<Dim>>& Found;
   std::array<Neighbor<Dim>, Most + MortonKey<Dim>::NumberOfOctants + PlacesOfBits::Width> Leaves;
