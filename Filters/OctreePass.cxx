@@ -170,6 +170,6 @@ void OctreePass::RefuseInput() const
   }
   throw std::invalid_argument(this->Root
       ? "No point with finite coordinates lies in CustomBounds; widen them."
-      : "No point has finite coordinates; mend the input.");
+      : "No point has coordinates that are finite and not too large; mend the input.");
 }
 }

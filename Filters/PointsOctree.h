@@ -16,7 +16,7 @@ struct PointsOctree
 {
   Octree<Dim> Tree;
   TreeFrame<Dim> Frame;
-  std::size_t SkippedPoints = 0; ///< Not finite.
+  std::size_t SkippedPoints = 0; ///< Not finite, or too large.
   std::size_t OutsidePoints = 0; ///< Outside the given root.
   double BuildSeconds = 0.0;
 };

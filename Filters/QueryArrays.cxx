@@ -20,13 +20,15 @@ namespace hashedoctree
 {
 namespace
 {
-/** Adds an array to the data set, which then owns it. */
+/** Adds an array to the data set, which then owns it; one of the same name goes, with its role among
+ * the attributes. */
 template <typename Array>
 Array* AddPointArray(vtkDataSet* dataSet, const char* name)
 {
   vtkNew<Array> array;
   array->SetName(name);
   ResizeArray(array.Get(), static_cast<std::size_t>(dataSet->GetNumberOfPoints()));
+  dataSet->GetPointData()->RemoveArray(name);
   dataSet->GetPointData()->AddArray(array);
   return array;
 }

@@ -32,7 +32,7 @@
  * (internal nodes and all leaves), NumberOfLeaves, NumberOfEmptyLeaves, DeepestDepth,
  * StartDepthLeaves, StartDepthPoints, StartDepthGrid (by the chosen StartDepthModel in each
  * frequency model), TreeBytes (the tree without the points and their order), BuildSeconds,
- * SkippedPoints (not finite), OutsidePoints (outside CustomBounds).
+ * SkippedPoints (not finite, or too large), OutsidePoints (outside CustomBounds).
  *
  * Output port 1, vtkTable, one row for each depth from 0 to the deepest: Depth, Leaves,
  * EmptyLeaves, Points, GridWeight (volume of the leaves, in a quadtree their area, in cells of the
@@ -43,16 +43,16 @@
  * MeasuredLeaves, MeasuredPoints (counted in searches for every leaf), ContinuousLeaves (the
  * paper's differentiable cost at StartDepth + 1/2).
  *
- * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite
- * are left out with one warning. An input without points, or without one that can be used, is an
- * error, but for an empty piece of a distributed data set or an empty block of a composite one. The
- * result does not depend on the number of threads (vtkSMPTools). Progress is reported throughout;
- * an abort is heeded within a tenth of a second and leaves all outputs empty (VTK keeps
- * AbortExecute set: reset it before the next update). Points with the same cell at MaxDepth share a
- * leaf, however many they are. At most 2^32 - 2 points, unless built with
- * HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes. Of a distributed data set every process
- * makes the tree of its own piece; give CustomBounds for one grid, by which all of them also have
- * the same dimension and plane.
+ * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite,
+ * or further from 0 than a quarter of the largest double (4.4e307), are left out with one warning.
+ * An input without points, or without one that can be used, is an error, but for an empty piece of
+ * a distributed data set or an empty block of a composite one. The result does not depend on the
+ * number of threads (vtkSMPTools). Progress is reported throughout; an abort is heeded within a
+ * tenth of a second and leaves all outputs empty (VTK keeps AbortExecute set: reset it before the
+ * next update). Points with the same cell at MaxDepth share a leaf, however many they are. At most
+ * 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes. Of a
+ * distributed data set every process makes the tree of its own piece; give CustomBounds for one
+ * grid, by which all of them also have the same dimension and plane.
  */
 
 #ifndef vtkHashedOctreeFilter_h
@@ -99,7 +99,7 @@ public:
 
   ///@{
   /** (xmin, xmax, ymin, ymax, zmin, zmax) in world units, each minimum at most its maximum; default
-   * the unit cube. Bounds that are not finite or turned around are an error. */
+   * the unit cube. Bounds that are turned around, not finite or beyond 4.4e307 are an error. */
   vtkSetVector6Macro(CustomBounds, double);
   vtkGetVector6Macro(CustomBounds, double);
   ///@}

@@ -25,7 +25,9 @@
 #include "vtkTable.h"
 
 #include <numeric>
+#include <set>
 #include <stdexcept>
+#include <vector>
 
 using namespace hashedoctree;
 
@@ -39,6 +41,31 @@ constexpr int NumberOfPorts = 2; // Of inputs, and of outputs.
  * arrays. */
 constexpr double QueriesShare = 0.07;
 constexpr double DepthsShare = 0.21;
+
+/** Gives an output the times at which one of two inputs changes. */
+void SetTimesOfBoth(vtkInformation* first, vtkInformation* second, vtkInformation* output)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  std::set<double> steps;
+  std::set<double> ends;
+  for (vtkInformation* input : { first, second })
+  {
+    const double* its = input->Get(Pipeline::TIME_STEPS());
+    steps.insert(its, its + input->Length(Pipeline::TIME_STEPS()));
+    its = input->Get(Pipeline::TIME_RANGE());
+    ends.insert(its, its + input->Length(Pipeline::TIME_RANGE()));
+  }
+  if (!steps.empty())
+  {
+    const std::vector<double> all(steps.begin(), steps.end());
+    output->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+  }
+  if (!ends.empty())
+  {
+    const double range[] = { *ends.begin(), *ends.rbegin() };
+    output->Set(Pipeline::TIME_RANGE(), range, 2);
+  }
+}
 
 /** How many queries a histogram of their depths counts. */
 std::uint64_t CountQueries(const DepthHistogram& depths)
@@ -222,13 +249,18 @@ int vtkHashedOctreeLocateFilter::GetTypeOfComposite(vtkInformationVector** input
 int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The executive has copied what the points say of their place, but port 0 is where the queries
-  // are.
+  // The executive has copied what the points say of their place and time. But the outputs are where
+  // the queries are; from the table, too, the extent that is asked for goes on to them.
+  vtkInformation* points = inputVector[0]->GetInformationObject(0);
   vtkInformation* queries = inputVector[1]->GetInformationObject(0);
-  vtkInformation* located = outputVector->GetInformationObject(0);
-  located->CopyEntry(queries, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  located->CopyEntry(queries, vtkDataObject::ORIGIN());
-  located->CopyEntry(queries, vtkDataObject::SPACING());
+  for (int port = 0; port < NumberOfPorts; ++port)
+  {
+    vtkInformation* output = outputVector->GetInformationObject(port);
+    output->CopyEntry(queries, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+    output->CopyEntry(queries, vtkDataObject::ORIGIN());
+    output->CopyEntry(queries, vtkDataObject::SPACING());
+    SetTimesOfBoth(points, queries, output);
+  }
   return 1;
 }
 

@@ -35,17 +35,18 @@
  * Field data, one value each: StartDepth, NumberOfSameDepthNeighbors,
  * NumberOfDescendedNeighbors, NumberOfAboveNeighbors (neighbours of each case), ExaminedNodes
  * (nodes that the search for the neighbours examined, as AdjacentSearch.h and InRadiusSearch.h
- * count them; what finding the query leaf itself costs is its HitCost), SkippedPoints (not finite).
+ * count them; what finding the query leaf itself costs is its HitCost), SkippedPoints (not finite,
+ * or too large).
  *
- * Points with a coordinate that is not finite are left out with one warning. An input without
- * points, or without one that can be used, is an error, but for an empty piece of a distributed
- * data set or an empty block of a composite one. So is a LeafKey that names no leaf; of a composite
- * data set the blocks that have no such leaf stay empty, and one must have it. A Center that is not
- * finite is an error, and so is a Radius that is negative or NaN, where it is used. After an error
- * the output is empty. The result does not depend on the number of threads (vtkSMPTools), which
- * build the tree and fill arrays; the search takes one. Progress is reported and an abort heeded
- * but for the search itself; an abort leaves the output empty. Of a distributed data set every
- * process searches the tree of its own piece.
+ * Points with a coordinate that is not finite or too large are left out with one warning. An input
+ * without points, or without one that can be used, is an error, but for an empty piece of a
+ * distributed data set or an empty block of a composite one. So is a LeafKey that names no leaf; of
+ * a composite data set the blocks that have no such leaf stay empty, and one must have it. A Center
+ * that is not finite is an error, and so is a Radius that is negative or NaN, where it is used.
+ * After an error the output is empty. The result does not depend on the number of threads
+ * (vtkSMPTools), which build the tree and fill arrays; the search takes one. Progress is reported
+ * and an abort heeded but for the search itself; an abort leaves the output empty. Of a distributed
+ * data set every process searches the tree of its own piece.
  */
 
 #ifndef vtkHashedOctreeNeighborsFilter_h

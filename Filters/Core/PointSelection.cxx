@@ -18,8 +18,9 @@ void RequireValid(const Box<Dim>& box)
       std::abs(box.Upper[axis]) <= Grid<Dim>::MaxCoordinate;
     if (!finite || box.Lower[axis] > box.Upper[axis])
     {
-      throw std::invalid_argument(
-        "The given bounds must be finite, and each lower one at most its upper one.");
+      throw std::invalid_argument("The given bounds must be finite and not too large (4.4e307), "
+                                  "and each lower one at most its "
+                                  "upper one.");
     }
   }
 }

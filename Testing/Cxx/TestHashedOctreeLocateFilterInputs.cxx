@@ -5,10 +5,8 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -237,6 +235,21 @@ TEST(TestHashedOctreeLocateFilterInputs, QueriesAreGivenBackWithAllThatTheyHave)
   EXPECT_EQ(queries->GetFieldData()->GetNumberOfArrays(), 1);
 }
 
+TEST(TestHashedOctreeLocateFilterInputs, ReplacedArraysLoseTheirRole)
+{
+  const auto queries = MakeUniform(20, 352);
+  vtkNew<vtkDoubleArray> vectors;
+  vectors->SetName("HitCost");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(20);
+  queries->GetPointData()->SetVectors(vectors);
+  TestedLocateFilter filter(MakeUniform(100, 353), queries);
+  filter.Update();
+  EXPECT_EQ(filter.GetLocated()->GetPointData()->GetVectors(), nullptr);
+  EXPECT_EQ(filter.GetLocated()->GetPointData()->GetScalars()->GetNumberOfComponents(), 1);
+  EXPECT_EQ(queries->GetPointData()->GetVectors(), vectors) << "the input is left alone";
+}
+
 TEST(TestHashedOctreeLocateFilterInputs, QueriesMayBeOfAnyKind)
 {
   const auto points = MakeUniform(500, 351);
@@ -273,47 +286,4 @@ TEST(TestHashedOctreeLocateFilterInputs, QueriesMayBeOfAnyKind)
     EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
     EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), places->GetNumberOfPoints());
   }
-}
-
-TEST(TestHashedOctreeLocateFilterInputs, TellsThePipelineWhereTheQueriesAre)
-{
-  vtkNew<vtkStructuredGrid> points;
-  points->SetDimensions(2, 2, 1);
-  points->SetPoints(MakePoints({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }));
-  vtkNew<vtkImageData> queries;
-  queries->SetExtent(3, 7, 0, 5, -2, 2);
-  queries->SetSpacing(0.11, 0.17, 0.19);
-  queries->SetOrigin(0.1, 0.2, 0.3);
-  TestedLocateFilter filter(points, queries);
-  filter.Update();
-  vtkInformation* information = filter->GetOutputInformation(0);
-  const int* extent = information->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-  ASSERT_NE(extent, nullptr);
-  EXPECT_TRUE(std::equal(extent, extent + 6, queries->GetExtent()));
-  const double* origin = information->Get(vtkDataObject::ORIGIN());
-  const double* spacing = information->Get(vtkDataObject::SPACING());
-  ASSERT_TRUE(origin && spacing);
-  EXPECT_TRUE(std::equal(origin, origin + 3, queries->GetOrigin()));
-  EXPECT_TRUE(std::equal(spacing, spacing + 3, queries->GetSpacing()));
-}
-
-TEST(TestHashedOctreeLocateFilterInputs, AsksForPointsOnAGridInTheirOwnExtent)
-{
-  vtkNew<vtkStructuredGrid> points;
-  points->SetDimensions(5, 2, 1);
-  points->SetPoints(MakePoints(MakeUniformPoints<3, double>(10, 357)));
-  vtkNew<vtkImageData> queries;
-  queries->SetExtent(3, 7, 0, 5, -2, 2);
-  TestedLocateFilter filter(points, queries);
-  const auto getRequested = [&filter](int piece, int numberOfPieces)
-  {
-    filter->UpdatePiece(piece, numberOfPieces, 0);
-    const int* extent =
-      filter->GetInputInformation(0, 0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
-    return std::vector<int>(extent, extent + 6);
-  };
-  EXPECT_EQ(getRequested(0, 1), std::vector<int>({ 0, 4, 0, 1, 0, 0 }));
-  EXPECT_EQ(getRequested(0, 2), std::vector<int>({ 0, 2, 0, 1, 0, 0 }));
-  EXPECT_EQ(getRequested(1, 2), std::vector<int>({ 2, 4, 0, 1, 0, 0 }));
-  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
 }

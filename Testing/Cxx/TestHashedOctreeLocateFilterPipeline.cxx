@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSamples.h"
+#include "TestedLocateFilter.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/** One point more than its number of the time step, at given times. */
+class PointsOfTime : public vtkPolyDataAlgorithm
+{
+public:
+  static PointsOfTime* New();
+  vtkTypeMacro(PointsOfTime, vtkPolyDataAlgorithm);
+
+  std::vector<double> Times;
+
+protected:
+  PointsOfTime() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
+  {
+    vtkInformation* output = outputVector->GetInformationObject(0);
+    const double range[] = { this->Times.front(), this->Times.back() };
+    output->Set(Pipeline::TIME_STEPS(), this->Times.data(), static_cast<int>(this->Times.size()));
+    output->Set(Pipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
+  {
+    const double time = outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_TIME_STEP());
+    const auto step = std::lower_bound(this->Times.begin(), this->Times.end(), time);
+    const auto count = static_cast<std::size_t>(1 + (step - this->Times.begin()));
+    vtkPolyData* points = vtkPolyData::GetData(outputVector);
+    points->SetPoints(MakePoints(MakeUniformPoints<3, double>(count, 358)));
+    points->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    return 1;
+  }
+};
+
+vtkStandardNewMacro(PointsOfTime);
+
+vtkSmartPointer<PointsOfTime> MakePointsOfTime(const std::vector<double>& times)
+{
+  const auto points = vtkSmartPointer<PointsOfTime>::New();
+  points->Times = times;
+  return points;
+}
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineWhereTheQueriesAre)
+{
+  vtkNew<vtkStructuredGrid> points;
+  points->SetDimensions(2, 2, 1);
+  points->SetPoints(MakePoints({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }));
+  vtkNew<vtkImageData> queries;
+  queries->SetExtent(3, 7, 0, 5, -2, 2);
+  queries->SetSpacing(0.11, 0.17, 0.19);
+  queries->SetOrigin(0.1, 0.2, 0.3);
+  TestedLocateFilter filter(points, queries);
+  filter.Update();
+  for (const int port : { 0, 1 })
+  {
+    vtkInformation* information = filter->GetOutputInformation(port);
+    const int* extent = information->Get(Pipeline::WHOLE_EXTENT());
+    ASSERT_NE(extent, nullptr);
+    EXPECT_TRUE(std::equal(extent, extent + 6, queries->GetExtent()));
+    const double* origin = information->Get(vtkDataObject::ORIGIN());
+    const double* spacing = information->Get(vtkDataObject::SPACING());
+    ASSERT_TRUE(origin && spacing);
+    EXPECT_TRUE(std::equal(origin, origin + 3, queries->GetOrigin()));
+    EXPECT_TRUE(std::equal(spacing, spacing + 3, queries->GetSpacing()));
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, AsksForAllQueriesWhicheverOutputIsWanted)
+{
+  vtkNew<vtkStructuredGrid> points;
+  points->SetDimensions(2, 2, 1);
+  points->SetPoints(MakePoints({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }));
+  vtkNew<vtkImageData> queries;
+  queries->SetExtent(3, 7, 0, 5, -2, 2);
+  for (const int port : { 0, 1 })
+  {
+    TestedLocateFilter filter(points, queries);
+    filter.UpdatePiece(port, 0, 1);
+    const int* extent = filter->GetInputInformation(1, 0)->Get(Pipeline::UPDATE_EXTENT());
+    ASSERT_NE(extent, nullptr);
+    EXPECT_TRUE(std::equal(extent, extent + 6, queries->GetExtent())) << port;
+    EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+    EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), queries->GetNumberOfPoints());
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, AsksForPointsOnAGridInTheirOwnExtent)
+{
+  vtkNew<vtkStructuredGrid> points;
+  points->SetDimensions(5, 2, 1);
+  points->SetPoints(MakePoints(MakeUniformPoints<3, double>(10, 357)));
+  vtkNew<vtkImageData> queries;
+  queries->SetExtent(3, 7, 0, 5, -2, 2);
+  TestedLocateFilter filter(points, queries);
+  const auto getRequested = [&filter](int piece, int numberOfPieces)
+  {
+    filter->UpdatePiece(piece, numberOfPieces, 0);
+    const int* extent = filter->GetInputInformation(0, 0)->Get(Pipeline::UPDATE_EXTENT());
+    return std::vector<int>(extent, extent + 6);
+  };
+  EXPECT_EQ(getRequested(0, 1), std::vector<int>({ 0, 4, 0, 1, 0, 0 }));
+  EXPECT_EQ(getRequested(0, 2), std::vector<int>({ 0, 2, 0, 1, 0, 0 }));
+  EXPECT_EQ(getRequested(1, 2), std::vector<int>({ 2, 4, 0, 1, 0, 0 }));
+  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, FollowsTheTimeOfTheQueries)
+{
+  TestedLocateFilter filter;
+  filter->SetInputData(0, MakeUniform(50, 359));
+  filter->SetInputConnection(1, MakePointsOfTime({ 1.0, 2.0, 4.0 })->GetOutputPort());
+  for (const auto& [time, expected] : { std::pair(1.0, 1), { 4.0, 3 }, { 2.0, 2 } })
+  {
+    filter->UpdateTimeStep(time);
+    EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), expected);
+    EXPECT_EQ(filter.GetLocated()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), time);
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineTheTimesOfBothInputs)
+{
+  TestedLocateFilter filter;
+  filter->SetInputConnection(0, MakePointsOfTime({ 1.0, 2.0, 4.0 })->GetOutputPort());
+  filter->SetInputConnection(1, MakePointsOfTime({ 0.5, 2.0, 3.0 })->GetOutputPort());
+  filter->UpdateInformation();
+  for (const int port : { 0, 1 })
+  {
+    vtkInformation* information = filter->GetOutputInformation(port);
+    const double* steps = information->Get(Pipeline::TIME_STEPS());
+    EXPECT_EQ(std::vector<double>(steps, steps + information->Length(Pipeline::TIME_STEPS())),
+      std::vector<double>({ 0.5, 1.0, 2.0, 3.0, 4.0 }));
+    const double* range = information->Get(Pipeline::TIME_RANGE());
+    EXPECT_EQ(std::vector<double>(range, range + 2), std::vector<double>({ 0.5, 4.0 }));
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, TellsNoTimesWhereThereAreNone)
+{
+  TestedLocateFilter filter;
+  filter->SetInputData(0, MakeUniform(50, 360));
+  filter->SetInputConnection(1, MakePointsOfTime({ 1.0, 2.0 })->GetOutputPort());
+  filter.Update();
+  filter->SetInputData(1, MakeUniform(5, 361)); // Nothing is left of what was told before.
+  filter.Update();
+  EXPECT_FALSE(filter->GetOutputInformation(0)->Has(Pipeline::TIME_STEPS()));
+  EXPECT_FALSE(filter->GetOutputInformation(0)->Has(Pipeline::TIME_RANGE()));
+}
