@@ -15,6 +15,7 @@ PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"
 
 tools=(g++ cmake ninja-build)
 paraview_packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi-dev libdouble-conversion-dev
+  qttools5-dev qtxmlpatterns5-dev-tools # for the pages of help
   xvfb xauth libgl1-mesa-dri libqt5svg5) # the last: ParaView's icons
 vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib)
 fuzz_packages=(clang libclang-rt-dev llvm) # llvm names the lines of a crash

@@ -30,25 +30,29 @@ function (hashedoctree_add_vtk_test name)
     VTK::FiltersGeneral VTK::FiltersPoints VTK::FiltersSources)
 endfunction ()
 
-# hashedoctree_add_python_test(<name> [DISPLAY | PLAIN | SERVER | RANKS <n>]): Python/<name>.py with the
+# hashedoctree_add_python_test(<name> [DISPLAY | HELP | PLAIN | SERVER | RANKS <n>]): Python/<name>.py with the
 # package hashedoctree on its path, and the plugin's file in $HASHEDOCTREE_PLUGIN, in
 #   pvpython; with DISPLAY for tests that render
 #   PLAIN      the Python that ParaView was built for
+#   HELP       the same, with the plugin's pages of help, if there are any, in $HASHEDOCTREE_HELP
 #   SERVER     pvpython as the client of a pvserver of two processes; the test is <name>OnServer
 #   RANKS <n>  pvbatch in n processes
 # The script is given -T <folder for its output> -V <its baseline image> -D <Data>, as
 # paraview.smtesting reads them.
 function (hashedoctree_add_python_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY;PLAIN;SERVER" "RANKS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY;HELP;PLAIN;SERVER" "RANKS" "")
   _hashedoctree_record("Python/${name}.py")
   if (NOT HASHEDOCTREE_HAVE_PLUGIN OR NOT HASHEDOCTREE_HAVE_PYTHON)
+    return ()
+  endif ()
+  if (arg_HELP AND NOT HASHEDOCTREE_HAVE_HELP)
     return ()
   endif ()
   set(script "${CMAKE_CURRENT_SOURCE_DIR}/Python/${name}.py")
   set(command "$<TARGET_FILE:ParaView::pvpython>" --dr)
   if (arg_DISPLAY)
     list(PREPEND command "${PROJECT_SOURCE_DIR}/Plugin/with_display.sh") # needs Debian's xvfb
-  elseif (arg_PLAIN)
+  elseif (arg_PLAIN OR arg_HELP)
     set(command "${Python3_EXECUTABLE}")
   elseif (arg_SERVER)
     string(APPEND name "OnServer")
@@ -67,6 +71,7 @@ function (hashedoctree_add_python_test name)
   set(environment
     "PYTHONPATH=${PROJECT_BINARY_DIR}/${HASHEDOCTREE_PYTHON_DIR}" "PYTHONDONTWRITEBYTECODE=1"
     "HASHEDOCTREE_PLUGIN=$<TARGET_FILE:HashedOctree>"
+    "HASHEDOCTREE_HELP=${PROJECT_BINARY_DIR}/Plugin/paraview_help/HashedOctree.qch"
     # MPI as root, as in a container, and on fewer cores than processes.
     "OMPI_ALLOW_RUN_AS_ROOT=1" "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"
     "OMPI_MCA_rmaps_base_oversubscribe=1" # as Open MPI 4 has it, and as 5
