@@ -20,8 +20,8 @@ namespace hashedoctree
 {
 namespace
 {
-/** Adds an array to the data set, which then owns it; one of the same name goes, with its role among
- * the attributes. */
+/** Adds an array to the data set, which then owns it; one of the same name goes, with its role
+ * among the attributes. */
 template <typename Array>
 Array* AddPointArray(vtkDataSet* dataSet, const char* name)
 {
