@@ -7,6 +7,7 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 
 namespace hashedoctree
@@ -72,14 +73,16 @@ Execution MakeExecution(vtkAlgorithm* algorithm)
     });
 }
 
-Execution MakeExecution(vtkObject* object, const std::atomic<bool>& isAborted)
+Execution MakeExecution(vtkObject* object, StopSign stop)
 {
-  return Execution(RunOnThreads,
-    [object, &isAborted](double fraction)
+  return Execution(
+    RunOnThreads,
+    [object, stop](double fraction)
     {
       object->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
-      return !isAborted;
-    });
+      return !stop.IsUp();
+    },
+    stop);
 }
 
 Execution MakeExecution()

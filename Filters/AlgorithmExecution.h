@@ -4,8 +4,6 @@
 
 #include "Execution.h"
 
-#include <atomic>
-
 class vtkAlgorithm;
 class vtkObject;
 
@@ -15,9 +13,9 @@ namespace hashedoctree
  * and the abort flag. Private to the module. */
 Execution MakeExecution(vtkAlgorithm* algorithm);
 
-/** The same of an object that is no algorithm: ProgressEvent with the fraction done, after which
- * the flag is looked at. */
-Execution MakeExecution(vtkObject* object, const std::atomic<bool>& isAborted);
+/** The same of an object that is no algorithm: ProgressEvent with the fraction done, and a sign to
+ * stop. */
+Execution MakeExecution(vtkObject* object, StopSign stop);
 
 /** vtkSMPTools as threads, and no reports, for what no algorithm runs. */
 Execution MakeExecution();

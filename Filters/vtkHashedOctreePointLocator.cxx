@@ -14,6 +14,7 @@
 #include "SkippedPoints.h"
 #include "ThreadTeam.h"
 
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -140,7 +141,7 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
   }
   const bool wasUpToDate = this->IsUpToDate();
   property = value;
-  this->Modified();
+  bool isChosen = true;
   if (this->Built)
   {
     try
@@ -149,12 +150,19 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
     }
     catch (const std::bad_alloc&)
     {
-      vtkErrorMacro("There is not enough memory for local start depths; choose another model.");
+      isChosen = false;
     }
   }
+  // As Modified(), but whom it tells may change the points, or ask the locator.
+  this->MTime.Modified();
   if (wasUpToDate)
   {
     this->BuildTime.Modified();
+  }
+  this->InvokeEvent(vtkCommand::ModifiedEvent);
+  if (!isChosen)
+  {
+    vtkErrorMacro("There is not enough memory for local start depths; choose another model.");
   }
 }
 
@@ -202,6 +210,20 @@ void vtkHashedOctreePointLocator::ForceBuildLocator()
 
 void vtkHashedOctreePointLocator::BuildLocatorInternal()
 {
+  const std::string problem = this->BuildIndex();
+  // All is built: who hears of this may ask the locator.
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+  }
+  else if (this->Built->SkippedPoints > 0)
+  {
+    WarnOfSkippedPoints(this, this->Built->SkippedPoints, this->DataSet->GetNumberOfPoints());
+  }
+}
+
+std::string vtkHashedOctreePointLocator::BuildIndex()
+{
   this->FreeSearchStructure();
   auto index = std::make_shared<Index>();
   std::string problem;
@@ -236,16 +258,7 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
   }
   this->Built = std::move(index);
   this->BuildTime.Modified();
-
-  // All is built: who hears of this may ask the locator.
-  if (!problem.empty())
-  {
-    vtkErrorMacro(<< problem);
-  }
-  else if (this->Built->SkippedPoints > 0)
-  {
-    WarnOfSkippedPoints(this, this->Built->SkippedPoints, this->DataSet->GetNumberOfPoints());
-  }
+  return problem;
 }
 
 void vtkHashedOctreePointLocator::Fill(Index& index)
@@ -304,7 +317,7 @@ const vtkHashedOctreePointLocator::Index& vtkHashedOctreePointLocator::GetIndex(
     this->BuildLocator();
     if (!this->Built) // Who heard of a problem has freed it.
     {
-      this->Built = std::make_shared<Index>();
+      this->BuildIndex();
     }
   }
   return *this->Built;
@@ -395,7 +408,6 @@ bool vtkHashedOctreePointLocator::PrepareBatch(
     vtkErrorMacro("A batch of queries must be an array of three components, one tuple for each.");
     return false;
   }
-  this->BatchIsAborted = false; // From here on a build, too, may be when it is.
   return true;
 }
 
@@ -403,6 +415,7 @@ template <typename Function>
 bool vtkHashedOctreePointLocator::RunBatch(
   vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function)
 {
+  const StopSign stop(this->AbortedBatches);
   if (!this->PrepareBatch(queries, outputs))
   {
     return false;
@@ -419,7 +432,7 @@ bool vtkHashedOctreePointLocator::RunBatch(
     vtkErrorMacro(<< problem);
     return false;
   };
-  const Execution execution = MakeExecution(this, this->BatchIsAborted);
+  const Execution execution = MakeExecution(this, stop);
   try
   {
     const PointsAdaptor positions(queries, execution.Part(0.0, PositionsShare));
@@ -429,6 +442,7 @@ bool vtkHashedOctreePointLocator::RunBatch(
         const PointBatch batch(tree, execution.Part(PositionsShare, 1.0));
         positions.Visit([&](auto span) { function(batch, span); });
       });
+    execution.HeedStop();
     TellOfChange(outputs);
     return true;
   }

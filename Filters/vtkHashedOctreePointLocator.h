@@ -32,25 +32,28 @@
  *   number, when it is done.
  * - One point, points that are all equal, few points far from many: all as above. Leaves at depth
  *   21 with more than four times as many points as they may hold (at least 32) have trees of their
- *   own. (With a smaller MaxDepth leaves are as large as was asked for.) A search looks at all
- * points only where they are equally near: at one place, or where rounding makes them so, from some
- * 1e15 widths away.
+ *   own. (With a smaller MaxDepth leaves are as large as was asked for.)
+ * - A search looks at all points where they are nearly equally near: at one place, in the middle of
+ *   a sphere, or from far away (from a thousand widths above a plane, from 1e15 wherever they are).
+ *   It also does where squared distances are too small or too large for a double, below 1e-162 or
+ *   beyond 1e154.
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
- * the data set may be changed, emptied or replaced between queries. Of a vtkPointSet a change of
- * cells or attributes alone asks for no new tree; of other data sets every change that GetMTime()
- * tells of does. (After one in the coordinate arrays of a vtkRectilinearGrid, call its Modified().)
- * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
- * nothing is modified. The build runs on the threads of vtkSMPTools; its result does not depend on
- * their number. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
- * internal nodes; more, or not enough memory, is an error, after which queries find nothing. A
- * query that has not enough memory for what it finds is an error, too, and finds nothing.
+ * the data set may be changed, emptied or replaced between queries. Of a vtkPointSet a change
+ * inside its cells or attributes asks for no new tree, but new ones do (SetPolys()); of other data
+ * sets every change that GetMTime() tells of does. (After one in the coordinate arrays of a
+ * vtkRectilinearGrid, call its Modified().) After BuildLocator(), called directly or by a query,
+ * the queries are thread safe as long as nothing is modified. The build runs on the threads of
+ * vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points, unless built
+ * with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough memory, is an
+ * error, after which queries find nothing. A query that has not enough memory for what it finds is
+ * an error, too, and finds nothing.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
- * too (both 0 without points), and Bounds are those of the finite points. Without any, and before a
- * build, they are uninitialized, as by vtkMath::UninitializeBounds().
+ * too (both 0 without points), and Bounds are those of the points that can be found. Without any,
+ * and before a build, they are uninitialized, as by vtkMath::UninitializeBounds().
  */
 
 #ifndef vtkHashedOctreePointLocator_h
@@ -63,6 +66,7 @@
 #include <atomic>           // For the end of a batch
 #include <initializer_list> // For the outputs of a batch
 #include <memory>           // For std::shared_ptr
+#include <string>           // For what goes wrong in a build
 
 class vtkDataArray;
 class vtkDoubleArray;
@@ -136,8 +140,8 @@ public:
   vtkGetMacro(FixedStartDepth, int);
   ///@}
 
-  /** Id of the point closest to x, or -1. Near the points the mean cost is O(1), up to a million
-   * widths away O(depth). Thread safe after a build. */
+  /** Id of the point closest to x, or -1. Near the points the mean cost is O(1), farther away
+   * O(depth), but for points that are nearly equally near. Thread safe after a build. */
   vtkIdType FindClosestPoint(const double x[3]) override;
 
   /** Id of the point closest to x among those within the radius, or -1. `dist2` is set to its
@@ -164,9 +168,11 @@ public:
    * same name for one position finds. `queries` has three components, of any type; the other
    * arrays get new memory, and must all be different, from `queries` too. Fires ProgressEvent with
    * the fraction done of all but a build; AbortBatch(), called by an observer or from another
-   * thread, ends the batch, after the build where there is one. Returns whether all was done: if
+   * thread, ends the batches that run, after the search that a thread is at, or after the build
+   * where there is one. Returns whether all was done: if
    * aborted, or after an error (no three components, not enough memory, a build that failed), all
-   * outputs are empty, with one component.
+   * outputs are empty, with one component; where they are not arrays of their own, all arrays are
+   * left alone.
    * - FindClosestPoints(): one id and squared distance for each position.
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id.
    *   Both: -1 and infinity where there is no (other) point; nothing for a count of 0 or less.
@@ -185,7 +191,7 @@ public:
     int count, vtkDataArray* queries, vtkIdTypeArray* ids, vtkDoubleArray* dist2);
   bool FindPointsWithinRadius(double radius, vtkDataArray* queries, vtkIdTypeArray* offsets,
     vtkIdTypeArray* ids, vtkDoubleArray* dist2);
-  void AbortBatch() { this->BatchIsAborted = true; }
+  void AbortBatch() { ++this->AbortedBatches; }
   ///@}
 
   ///@{
@@ -241,7 +247,8 @@ public:
    * 0 where there is no tree. */
   int GetStartDepth() const;
 
-  /** Bytes of the whole search structure, copied coordinates included; 0 where there is no tree. */
+  /** Bytes of the whole search structure, copied coordinates included; 0 before a build, and hardly
+   * any without points. */
   vtkIdType GetIndexBytes() const;
 
 protected:
@@ -277,6 +284,8 @@ private:
     vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function);
   bool IsUpToDate() const;
   bool HasSamePoints() const;
+  /** Builds anew, and returns what went wrong, if anything, instead of telling of it. */
+  std::string BuildIndex();
   void Fill(Index& index);
   void SetStartDepthProperty(int& property, int value);
   void ChooseStartDepths(Index& index) const;
@@ -285,7 +294,7 @@ private:
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
-  std::atomic<bool> BatchIsAborted{ false };
+  std::atomic<unsigned> AbortedBatches{ 0 }; ///< Those that run when it is counted up.
   std::shared_ptr<Index> Built; ///< Kept by a batch to its end, whatever its observers do.
 };
 

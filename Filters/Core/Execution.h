@@ -2,6 +2,8 @@
 #ifndef hashedoctree_Execution_h
 #define hashedoctree_Execution_h
 
+#include "StopSign.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -15,7 +17,8 @@ struct Interrupted
 };
 
 /**
- * What a long computation borrows from its caller: threads, and a place to report progress.
+ * What a long computation borrows from its caller: threads, a place to report progress, and a sign
+ * to stop.
  *
  * The library has no threads of its own. A ParallelFor calls body(first, last) on parts of the
  * range that it is given, of at least `grain` items each but for the last one, from any threads
@@ -25,6 +28,7 @@ struct Interrupted
  * Progress is told a fraction in [0, 1] that never falls, always on the thread that called For(),
  * and answers whether to go on; when it answers no, For() throws Interrupted. For() runs
  * BatchGrains grains between two reports, so that a stop is heeded soon; without reports, all.
+ * Bodies with items that may take long by themselves call HeedStop() between them.
  */
 class Execution
 {
@@ -43,9 +47,10 @@ public:
         { body(first, last); })
   {
   }
-  explicit Execution(ParallelFor parallelFor, Progress progress = {})
+  explicit Execution(ParallelFor parallelFor, Progress progress = {}, StopSign stop = {})
     : Threads(std::move(parallelFor))
     , Report(std::move(progress))
+    , Stop(stop)
   {
   }
 
@@ -54,11 +59,13 @@ public:
   {
     if (!this->Report)
     {
-      return Execution(this->Threads);
+      return Execution(this->Threads, {}, this->Stop);
     }
-    return Execution(this->Threads,
+    return Execution(
+      this->Threads,
       [report = this->Report, from, to](double fraction)
-      { return report(from + (to - from) * fraction); });
+      { return report(from + (to - from) * fraction); },
+      this->Stop);
   }
 
   /** Calls body on parts of [0, count), batch by batch, while progress moves from `from` to `to`.
@@ -108,9 +115,19 @@ public:
     }
   }
 
+  /** Throws Interrupted when the sign to stop is up. For any thread, at any time. */
+  void HeedStop() const
+  {
+    if (this->Stop.IsUp())
+    {
+      throw Interrupted();
+    }
+  }
+
 private:
   ParallelFor Threads;
   Progress Report;
+  StopSign Stop;
 };
 }
 

@@ -13,7 +13,7 @@ namespace hashedoctree
 /**
  * Many searches at once, shared out among the threads of an execution, with progress. Each search
  * finds what PointSearch finds, whatever the number of threads. Positions are taken in a
- * BatchOrder. Members throw Interrupted.
+ * BatchOrder. Members throw Interrupted; a sign to stop is heeded between two searches.
  */
 template <int Dim, typename Real>
 class PointBatch
@@ -44,6 +44,7 @@ public:
             std::vector<FoundPoint> found;
             for (std::size_t place = first; place < last; ++place)
             {
+              execution.HeedStop();
               const std::size_t i = order[place];
               this->FindClosestTo(GetPosition<Dim>(positions, i), count, found);
               for (std::size_t j = 0; j < count; ++j)
@@ -114,6 +115,7 @@ public:
             std::vector<FoundPoint> found;
             for (std::size_t place = first; place < last; ++place)
             {
+              execution.HeedStop();
               const std::size_t i = order[place];
               this->Search.FindWithin(GetPosition<Dim>(positions, i), radius, found);
               std::sort(found.begin(), found.end());

@@ -86,10 +86,17 @@ public:
         SearchPoints<Dim, Real>(*nested, this->X, this->Points, this->Examined, 1);
         return;
       }
-      if constexpr (!Collector::HasFixedBall)
+      if (this->Tree.PartsAllPlaces())
       {
-        size =
-          this->Tree.PartsAllPlaces() ? std::min(size, this->Points.GetMostAtOnePlace()) : size;
+        // All points are at one place.
+        if constexpr (!Collector::HasFixedBall)
+        {
+          size = std::min(size, this->Points.GetMostAtOnePlace());
+        }
+        else if (!this->IsWithin(first, stride))
+        {
+          return;
+        }
       }
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
@@ -142,6 +149,14 @@ private:
   /** Balls that reach less far than half a child's side seldom hold one. Squared, in steps. */
   static constexpr double LeastToHoldNodes2 =
     ChildBoxes<Dim>::Steps * ChildBoxes<Dim>::Steps / 16.0;
+
+  /** Whether the first point of a leaf with `size` points is within the ball. */
+  bool IsWithin(PointIndex firstPoint, std::size_t size) const
+  {
+    double dist2[DistanceKernels<Dim, Real>::MostPoints];
+    return this->Tree.GetKernels().ToPoints(this->Tree.GetLeafCoordinates(firstPoint), size, 1,
+             this->X.data(), dist2) <= this->Points.GetBound2();
+  }
 
   Place GetPlace(const Cell<Dim>& inside, int depth) const
   {

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Batches of searches of vtkHashedOctreePointLocator, NumPy arrays in and out.
 
-Positions are arrays of shape (m, 3), of any type that NumPy turns into real numbers; float32 and
-float64 are read where they are. Arrays that are complex or masked are a TypeError. Results are views of the memory that the search filled, nothing is copied:
+Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read where they are. Masked
+arrays (whether a value is masked or not), and what is no real number (complex numbers, strings,
+dates), are a TypeError. Results are views of the memory that the search filled, nothing is copied:
 ids are int64, squared distances float64. The searches run on the threads of vtkSMPTools. A batch
 that could not be done (not enough memory, or stopped by AbortBatch()) is a RuntimeError.
 """
@@ -52,9 +53,11 @@ def find_points_within_radius(locator, radius, positions):
 
 def _view(positions):
     """A VTK array over the positions, which keeps them alive."""
-    if numpy.iscomplexobj(positions) or numpy.ma.isMaskedArray(positions):
-        raise TypeError("positions must be real numbers, and none of them masked")
+    if numpy.ma.isMaskedArray(positions):
+        raise TypeError("positions must not be a masked array; give the values that count")
     positions = numpy.ascontiguousarray(positions)
+    if positions.dtype.kind not in "biufO":
+        raise TypeError(f"positions must be real numbers, not {positions.dtype}")
     if positions.ndim != 2 or positions.shape[1] != 3:
         raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}")
     if positions.dtype not in (numpy.float32, numpy.float64):

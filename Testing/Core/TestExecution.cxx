@@ -97,3 +97,22 @@ TEST(TestExecution, WithoutProgressNothingStops)
 {
   EXPECT_NO_THROW(Execution().Part(0.5, 1.0).Tell(0.3));
 }
+
+TEST(TestExecution, AllPartsHeedTheSignToStop)
+{
+  StopSign::Count stops{ 5 };
+  const Execution execution(OnThreads(1), {}, StopSign(stops));
+  const Execution reporting(
+    OnThreads(1), [](double) { return true; }, StopSign(stops));
+  for (const Execution& part : { execution, execution.Part(0.0, 0.5), reporting.Part(0.5, 1.0) })
+  {
+    EXPECT_NO_THROW(part.HeedStop());
+  }
+  ++stops;
+  for (const Execution& part : { execution, execution.Part(0.0, 0.5), reporting.Part(0.5, 1.0) })
+  {
+    EXPECT_THROW(part.HeedStop(), Interrupted);
+  }
+  EXPECT_NO_THROW(Execution(OnThreads(1), {}, StopSign(stops)).HeedStop()) << "begins after it";
+  EXPECT_NO_THROW(Execution().HeedStop());
+}

@@ -149,3 +149,18 @@ TEST(TestPointBatch, CanBeInterrupted)
   EXPECT_THROW(search.FindClosest(batch.GetSpan(), 1, ids.data(), dist2.data()), Interrupted);
   EXPECT_THROW(search.FindWithin(batch.GetSpan(), 0.1), Interrupted);
 }
+
+TEST(TestPointBatch, HeedsTheSignToStopBeforeEachSearch)
+{
+  const Batch batch(1000);
+  StopSign::Count stops{ 0 };
+  const auto onThisThread = [](std::size_t first, std::size_t last, std::size_t,
+                              const Execution::Body& body) { body(first, last); };
+  const PointBatch stopped(batch.Tree, Execution(onThisThread, {}, StopSign(stops)));
+  ++stops;
+  std::vector<long long> ids(batch.GetSpan().Count, 77);
+  std::vector<double> dist2(batch.GetSpan().Count, 77.0);
+  EXPECT_THROW(stopped.FindClosest(batch.GetSpan(), 1, ids.data(), dist2.data()), Interrupted);
+  EXPECT_EQ(ids, std::vector<long long>(ids.size(), 77)) << "no search was made";
+  EXPECT_THROW(stopped.FindWithin(batch.GetSpan(), 0.1), Interrupted);
+}

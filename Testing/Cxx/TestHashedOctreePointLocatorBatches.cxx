@@ -10,6 +10,8 @@
 #include "vtkSMPTools.h"
 #include "vtkSOADataArrayTemplate.h"
 
+#include <utility>
+
 namespace
 {
 /** The outputs of a batch, with something in them that must not stay. */
@@ -262,6 +264,54 @@ TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
   locator.ExpectWarningOfSkippedPoints(1);
   EXPECT_TRUE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
   EXPECT_EQ(outputs.Ids->GetValue(0), 1);
+}
+
+TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedByWhoHearsOfTheirOutputs)
+{
+  TestedLocator locator(MakePolyData<float>({ 0, 0, 0, 1, 0, 0 }));
+  struct Observer
+  {
+    vtkHashedOctreePointLocator* Locator;
+    void Abort(vtkObject*, unsigned long, void*) { this->Locator->AbortBatch(); }
+  } observer{ locator.Get() };
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->InsertNextTuple3(8.0, 0.0, 0.0);
+  Outputs outputs;
+  outputs.Ids->AddObserver(vtkCommand::ModifiedEvent, &observer, &Observer::Abort);
+  EXPECT_FALSE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+}
+
+TEST(TestHashedOctreePointLocatorBatches, EndWhenAbortedWhateverOtherBatchesDo)
+{
+  const auto coordinates = MakeUniformPoints<3, float>(60000, 185);
+  TestedLocator locator(MakePolyData(coordinates));
+  const auto queries = MakeQueries<vtkFloatArray>(coordinates, 60000);
+  struct Observer
+  {
+    vtkHashedOctreePointLocator* Locator;
+    vtkDataArray* Queries;
+    Outputs Inner{};
+    bool IsInside = false;
+    bool IsInnerDone = false;
+    void Observe(vtkObject*, unsigned long, void*)
+    {
+      if (!std::exchange(this->IsInside, true))
+      {
+        this->Locator->AbortBatch();
+        // It begins after that, and goes on.
+        this->IsInnerDone =
+          this->Locator->FindClosestPoints(this->Queries, this->Inner.Ids, this->Inner.Dist2);
+      }
+    }
+  } observer{ locator.Get(), queries };
+  locator->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Observe);
+  Outputs outputs;
+  EXPECT_FALSE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+  EXPECT_TRUE(observer.IsInnerDone);
+  EXPECT_EQ(observer.Inner.Ids->GetNumberOfTuples(), 60000);
 }
 
 TEST(TestHashedOctreePointLocatorBatches, TellProgressAndCanBeAborted)

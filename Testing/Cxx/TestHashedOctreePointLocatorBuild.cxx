@@ -10,6 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkVersionMacros.h"
@@ -381,12 +382,60 @@ TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayFreeTheTree)
   };
   TestedLocator locator(MakePolyData<float>({ 0, 0, 0, NAN, 0, 0, 1, 0, 0 }));
   Listener listener{ locator };
-  const auto tag = locator->AddObserver(vtkCommand::WarningEvent, &listener, &Listener::Free);
-  EXPECT_EQ(locator->FindClosestPoint(0.1, 0, 0), -1);
+  locator->AddObserver(vtkCommand::WarningEvent, &listener, &Listener::Free);
+  EXPECT_EQ(locator->FindClosestPoint(0.1, 0, 0), 0) << "in a tree that is built anew";
   locator.ExpectWarningOfSkippedPoints(1);
-  locator->RemoveObserver(tag);
-  locator->Modified();
-  EXPECT_EQ(locator->FindClosestPoint(0.1, 0, 0), 0);
+  EXPECT_EQ(locator->FindClosestPoint(0.9, 0, 0), 2) << "in the same";
+  EXPECT_TRUE(locator.Warnings.empty());
+}
+
+TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAFailedBuildMayFreeItsRest)
+{
+  struct Listener
+  {
+    TestedLocator& Freed;
+    void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
+  };
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(1 << 21, 1 << 20, 1 << 20); // More than can be counted.
+  TestedLocator locator(image);
+  Listener listener{ locator };
+  locator->AddObserver(vtkCommand::ErrorEvent, &listener, &Listener::Free);
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->InsertNextTuple3(0.0, 0.0, 0.0);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  EXPECT_FALSE(locator->FindClosestPoints(queries, ids, dist2));
+  EXPECT_EQ(ids->GetNumberOfTuples(), 0);
+  EXPECT_EQ(locator.Errors.size(), 1U);
+  locator.Errors.clear();
+}
+
+TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAChangedModelMayChangeThePoints)
+{
+  struct Listener
+  {
+    vtkHashedOctreePointLocator* Locator;
+    vtkPolyData* Cloud;
+    vtkIdType Found = -2;
+    void Observe(vtkObject*, unsigned long, void*)
+    {
+      this->Found = this->Locator->FindClosestPoint(9, 9, 9);
+      this->Cloud->GetPoints()->SetPoint(0, 9, 9, 9);
+      this->Cloud->GetPoints()->Modified();
+    }
+  };
+  const auto cloud = MakePolyData<float>({ 0, 0, 0, 1, 0, 0, NAN, 0, 0 });
+  TestedLocator locator(cloud);
+  locator->BuildLocator();
+  locator.ExpectWarningOfSkippedPoints(1);
+  Listener listener{ locator.Get(), cloud };
+  locator->AddObserver(vtkCommand::ModifiedEvent, &listener, &Listener::Observe);
+  locator->SetStartDepthModel(vtkHashedOctreePointLocator::Root);
+  EXPECT_EQ(listener.Found, 1);
+  EXPECT_TRUE(locator.Warnings.empty()) << "the model alone asks for no new tree";
+  EXPECT_EQ(locator->FindClosestPoint(9, 9, 9), 0) << "the points do";
   locator.ExpectWarningOfSkippedPoints(1);
 }
 
