@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
 
 namespace hashedoctree
 {
@@ -44,23 +45,31 @@ struct NodeCount
   void AddNodes(int count) { this->Nodes += static_cast<std::uint64_t>(count); }
 };
 
-/**
- * Calls search(ask) and returns what it returns; ask(key, depth) is to be called early for nodes
- * that are likely to be examined. Where a node is in the table follows from its key alone, so the
- * machine loads them while it waits for the first. Private to FindLeaf() and FindLeaves().
- */
-template <int Dim, typename Table, typename Search>
-auto SearchAsking(const Table& table, const Search& search)
+/** Asks for no nodes ahead. */
+struct AskForNone
 {
-  if (table.IsCached())
+  template <int Dim>
+  void operator()(MortonKey<Dim>, int) const
   {
-    return search([](MortonKey<Dim>, int) {});
   }
-  return search(
-    [&table](MortonKey<Dim> key, int depth) { table.Prefetch(key.AtDepth(depth).GetValue()); });
-}
+};
 
-/** FindLeaf() as a search of SearchAsking(). */
+/** Asks for nodes that are likely to be examined. Where a node is in the table follows from its key
+ * alone, so the machine loads them while the search waits for the first. */
+template <typename Table>
+struct AskForNodes
+{
+  const Table& Nodes;
+
+  template <int Dim>
+  void operator()(MortonKey<Dim> key, int depth) const
+  {
+    this->Nodes.Prefetch(key.AtDepth(depth).GetValue());
+  }
+};
+
+/** FindLeaf() with one of these, `ask`, which hears of nodes early. Private to it and to
+ * FindLeaves(). */
 template <template <int> class Tree, int Dim, typename Count, typename Ask>
 FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth,
   Count& count, EmptyOctants reading, const Ask& ask)
@@ -134,8 +143,11 @@ template <template <int> class Tree, int Dim, typename Count>
 FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth, Count& count,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
-  return SearchAsking<Dim>(tree.GetTable(),
-    [&](const auto& ask) { return FindLeafAsking(tree, key, startDepth, count, reading, ask); });
+  const auto& table = tree.GetTable();
+  using Table = std::decay_t<decltype(table)>;
+  return table.IsCached()
+    ? FindLeafAsking(tree, key, startDepth, count, reading, AskForNone())
+    : FindLeafAsking(tree, key, startDepth, count, reading, AskForNodes<Table>{ table });
 }
 
 /** FindLeaf() without counting. */

@@ -82,8 +82,8 @@ public:
     std::size_t count = 1;
     for (int axis = Dim - 2; axis >= 0; --axis, count *= 2)
     {
-      const Pair first = __builtin_shuffle(nearest2[axis], Truths{ 0, 0 });
-      const Pair second = __builtin_shuffle(nearest2[axis], Truths{ 1, 1 });
+      const double first = nearest2[axis][0];
+      const double second = nearest2[axis][1];
       for (std::size_t i = 0; i < count; ++i)
       {
         sums[count + i] = second + sums[i];

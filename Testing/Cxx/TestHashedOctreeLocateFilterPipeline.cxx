@@ -56,7 +56,7 @@ vtkStandardNewMacro(PointsOfTime);
 
 vtkSmartPointer<PointsOfTime> MakePointsOfTime(const std::vector<double>& times)
 {
-  const auto points = vtkSmartPointer<PointsOfTime>::New();
+  auto points = vtkSmartPointer<PointsOfTime>::New();
   points->Times = times;
   return points;
 }
