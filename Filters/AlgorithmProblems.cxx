@@ -28,8 +28,8 @@ int RunReportingProblems(
   catch (const std::bad_alloc&)
   {
     problem =
-      "There is not enough memory for the octree and what is made of it; raise MaxPointsPerLeaf "
-      "or lower MaxDepth.";
+      "There is not enough memory for the octree and what is made of it; take fewer points, raise "
+      "MaxPointsPerLeaf or lower MaxDepth.";
   }
   catch (const std::exception& exception)
   {

@@ -2,6 +2,7 @@
 #include "vtkHashedOctreePointLocator.h"
 
 #include "AlgorithmExecution.h"
+#include "BatchArrays.h"
 #include "DirectSearch.h"
 #include "FoundOfThread.h"
 #include "NodeList.h"
@@ -10,7 +11,6 @@
 #include "PointLocatorIndex.h"
 #include "PointsAdaptor.h"
 #include "PropertyModels.h"
-#include "ResizeArray.h"
 #include "SkippedPoints.h"
 #include "ThreadTeam.h"
 
@@ -60,25 +60,6 @@ public:
   static constexpr auto PointsOfSet = &PartsOfSet::Points;
 };
 
-/** For who keeps what an array told of its values. */
-void TellOfChange(std::initializer_list<vtkDataArray*> arrays)
-{
-  for (vtkDataArray* array : arrays)
-  {
-    array->Modified();
-  }
-}
-
-void Empty(std::initializer_list<vtkDataArray*> arrays)
-{
-  for (vtkDataArray* array : arrays)
-  {
-    array->Initialize();
-    array->SetNumberOfComponents(1);
-  }
-  TellOfChange(arrays);
-}
-
 PointIndex GetId(const FoundPoint& point)
 {
   return point.Id;
@@ -86,13 +67,6 @@ PointIndex GetId(const FoundPoint& point)
 PointIndex GetId(PointIndex id)
 {
   return id;
-}
-
-template <typename Array>
-void SetSize(Array* array, int components, std::size_t tuples)
-{
-  ResizeArray(array, static_cast<std::size_t>(components) * tuples);
-  array->SetNumberOfComponents(components); // For which VTK keeps a tuple, too.
 }
 }
 

@@ -34,9 +34,9 @@
  *   21 with more than four times as many points as they may hold (at least 32) have trees of their
  *   own. (With a smaller MaxDepth leaves are as large as was asked for.)
  * - A search looks at all points where they are nearly equally near: at one place, in the middle of
- *   a sphere, or from far away (from a thousand widths above a plane, from 1e15 wherever they are).
- *   It also does where squared distances are too small or too large for a double, below 1e-162 or
- *   beyond 1e154.
+ *   a sphere, or from far away (at most of them from a thousand widths above a plane, at all from a
+ *   million there, and from 1e15 anywhere). It also does where squared distances are too small or
+ *   too large for a double, below 1e-162 or beyond 1e154.
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
