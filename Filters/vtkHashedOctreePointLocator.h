@@ -294,7 +294,7 @@ private:
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
-  std::atomic<unsigned> AbortedBatches{ 0 }; ///< Those that run when it is counted up.
+  std::atomic<unsigned> AbortedBatches{ 0 }; ///< How often AbortBatch() was called.
   std::shared_ptr<Index> Built; ///< Kept by a batch to its end, whatever its observers do.
 };
 

@@ -17,8 +17,8 @@ namespace hashedoctree
  * A ball around the center of a node (paper section 3c), in the grid of a tree. Lengths are in half
  * cells of MaxDepth, in which the corners and centers of all nodes are integers, so that what
  * rounds is only this: the radius, which is radius / side of the root * 2^(MaxDepth + 1) in double;
- * its square; and the sum of the squared distances on each axis, which are integers, in the order
- * of the axes (exact in three and four dimensions).
+ * its square; and the sum of the squared distances on each axis, which are integers. Its order does
+ * not matter: in three and four dimensions it is exact, and in two it has but two terms.
  */
 template <int Dim>
 class NodeBall
@@ -76,7 +76,7 @@ public:
       nearest = nearest > Pair{} ? nearest : Pair{};
       nearest2[axis] = nearest * nearest;
     }
-    // Sums over the last axes, for all places along them.
+    // Sums over the last axes, for all places along them. (In whatever order: see above.)
     std::array<Pair, Key::NumberOfOctants / 2> sums;
     sums[0] = nearest2[Dim - 1];
     std::size_t count = 1;

@@ -60,13 +60,21 @@ vtkSmartPointer<PointsOfTime> MakePointsOfTime(const std::vector<double>& times)
   points->Times = times;
   return points;
 }
+
+/** Points on a grid of their own. */
+vtkSmartPointer<vtkStructuredGrid> MakeGrid(int width, int height)
+{
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(width, height, 1);
+  const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  grid->SetPoints(MakePoints(MakeUniformPoints<3, double>(count, 357)));
+  return grid;
+}
 }
 
 TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineWhereTheQueriesAre)
 {
-  vtkNew<vtkStructuredGrid> points;
-  points->SetDimensions(2, 2, 1);
-  points->SetPoints(MakePoints({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }));
+  const auto points = MakeGrid(2, 2);
   vtkNew<vtkImageData> queries;
   queries->SetExtent(3, 7, 0, 5, -2, 2);
   queries->SetSpacing(0.11, 0.17, 0.19);
@@ -89,9 +97,7 @@ TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineWhereTheQueriesAre)
 
 TEST(TestHashedOctreeLocateFilterPipeline, AsksForAllQueriesWhicheverOutputIsWanted)
 {
-  vtkNew<vtkStructuredGrid> points;
-  points->SetDimensions(2, 2, 1);
-  points->SetPoints(MakePoints({ 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0 }));
+  const auto points = MakeGrid(2, 2);
   vtkNew<vtkImageData> queries;
   queries->SetExtent(3, 7, 0, 5, -2, 2);
   for (const int port : { 0, 1 })
@@ -108,9 +114,7 @@ TEST(TestHashedOctreeLocateFilterPipeline, AsksForAllQueriesWhicheverOutputIsWan
 
 TEST(TestHashedOctreeLocateFilterPipeline, AsksForPointsOnAGridInTheirOwnExtent)
 {
-  vtkNew<vtkStructuredGrid> points;
-  points->SetDimensions(5, 2, 1);
-  points->SetPoints(MakePoints(MakeUniformPoints<3, double>(10, 357)));
+  const auto points = MakeGrid(5, 2);
   vtkNew<vtkImageData> queries;
   queries->SetExtent(3, 7, 0, 5, -2, 2);
   TestedLocateFilter filter(points, queries);

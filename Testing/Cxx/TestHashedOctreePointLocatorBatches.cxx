@@ -52,6 +52,22 @@ vtkSmartPointer<Array> MakeQueries(const std::vector<float>& coordinates, vtkIdT
   return queries;
 }
 
+/** One position. */
+vtkSmartPointer<vtkDoubleArray> MakeQuery(double x, double y, double z)
+{
+  auto query = vtkSmartPointer<vtkDoubleArray>::New();
+  query->SetNumberOfComponents(3);
+  query->InsertNextTuple3(x, y, z);
+  return query;
+}
+
+/** Aborts the batches of a locator when it hears of something. */
+struct Aborting
+{
+  vtkHashedOctreePointLocator* Locator;
+  void Abort(vtkObject*, unsigned long, void*) { this->Locator->AbortBatch(); }
+};
+
 void ExpectAsOneByOne(TestedLocator& locator, vtkDataArray* queries)
 {
   Outputs one;
@@ -195,9 +211,7 @@ TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
 TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgotten)
 {
   TestedLocator locator(MakePolyData<double>({ 0, 0, 0, 1, 0, 0, 9, 0, 0 }));
-  vtkNew<vtkDoubleArray> queries;
-  queries->SetNumberOfComponents(3);
-  queries->InsertNextTuple3(8.0, 0.0, 0.0);
+  const auto queries = MakeQuery(8.0, 0.0, 0.0);
   vtkNew<vtkIdTypeArray> ids;
   vtkNew<vtkDoubleArray> dist2;
   ASSERT_TRUE(locator->FindClosestPoints(queries, ids, dist2));
@@ -249,15 +263,9 @@ TEST(TestHashedOctreePointLocatorBatches, GoOnWhateverTheirObserversDo)
 TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
 {
   TestedLocator locator(MakePolyData<float>({ NAN, 0, 0, 1, 0, 0 }));
-  struct Observer
-  {
-    vtkHashedOctreePointLocator* Locator;
-    void Abort(vtkObject*, unsigned long, void*) { this->Locator->AbortBatch(); }
-  } observer{ locator.Get() };
-  locator->AddObserver(vtkCommand::WarningEvent, &observer, &Observer::Abort);
-  vtkNew<vtkDoubleArray> queries;
-  queries->SetNumberOfComponents(3);
-  queries->InsertNextTuple3(8.0, 0.0, 0.0);
+  Aborting observer{ locator.Get() };
+  locator->AddObserver(vtkCommand::WarningEvent, &observer, &Aborting::Abort);
+  const auto queries = MakeQuery(8.0, 0.0, 0.0);
   Outputs outputs;
   EXPECT_FALSE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
   EXPECT_TRUE(outputs.AreEmpty());
@@ -269,16 +277,10 @@ TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
 TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedByWhoHearsOfTheirOutputs)
 {
   TestedLocator locator(MakePolyData<float>({ 0, 0, 0, 1, 0, 0 }));
-  struct Observer
-  {
-    vtkHashedOctreePointLocator* Locator;
-    void Abort(vtkObject*, unsigned long, void*) { this->Locator->AbortBatch(); }
-  } observer{ locator.Get() };
-  vtkNew<vtkDoubleArray> queries;
-  queries->SetNumberOfComponents(3);
-  queries->InsertNextTuple3(8.0, 0.0, 0.0);
+  Aborting observer{ locator.Get() };
+  const auto queries = MakeQuery(8.0, 0.0, 0.0);
   Outputs outputs;
-  outputs.Ids->AddObserver(vtkCommand::ModifiedEvent, &observer, &Observer::Abort);
+  outputs.Ids->AddObserver(vtkCommand::ModifiedEvent, &observer, &Aborting::Abort);
   EXPECT_FALSE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
   EXPECT_TRUE(outputs.AreEmpty());
 }

@@ -3,7 +3,6 @@
 // When the tree is built, what of, and what the locator then tells of it.
 #include "PointIndex.h"
 #include "PointSamples.h"
-#include "Sanitized.h"
 #include "TestedLocator.h"
 
 #include "vtkCellData.h"
@@ -21,6 +20,13 @@
 namespace
 {
 using Class = vtkHashedOctreePointLocator;
+
+/** Frees the tree of a locator when it hears of something. */
+struct Freeing
+{
+  TestedLocator& Freed;
+  void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
+};
 
 /** Counts builds by their warnings: every build meets one point that is not finite. */
 class CountedLocator
@@ -375,14 +381,9 @@ TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayAskAtOnce)
 
 TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayFreeTheTree)
 {
-  struct Listener
-  {
-    TestedLocator& Freed;
-    void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
-  };
   TestedLocator locator(MakePolyData<float>({ 0, 0, 0, NAN, 0, 0, 1, 0, 0 }));
-  Listener listener{ locator };
-  locator->AddObserver(vtkCommand::WarningEvent, &listener, &Listener::Free);
+  Freeing listener{ locator };
+  locator->AddObserver(vtkCommand::WarningEvent, &listener, &Freeing::Free);
   EXPECT_EQ(locator->FindClosestPoint(0.1, 0, 0), 0) << "in a tree that is built anew";
   locator.ExpectWarningOfSkippedPoints(1);
   EXPECT_EQ(locator->FindClosestPoint(0.9, 0, 0), 2) << "in the same";
@@ -391,16 +392,11 @@ TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayFreeTheTree)
 
 TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAFailedBuildMayFreeItsRest)
 {
-  struct Listener
-  {
-    TestedLocator& Freed;
-    void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
-  };
   vtkNew<vtkImageData> image;
   image->SetDimensions(1 << 21, 1 << 20, 1 << 20); // More than can be counted.
   TestedLocator locator(image);
-  Listener listener{ locator };
-  locator->AddObserver(vtkCommand::ErrorEvent, &listener, &Listener::Free);
+  Freeing listener{ locator };
+  locator->AddObserver(vtkCommand::ErrorEvent, &listener, &Freeing::Free);
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
   queries->InsertNextTuple3(0.0, 0.0, 0.0);
@@ -441,10 +437,6 @@ TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAChangedModelMayChangeThePoint
 
 TEST(TestHashedOctreePointLocatorBuild, MorePointsThanCanBeCopiedAreAnError)
 {
-  if (sizeof(hashedoctree::PointIndex) > 4 && Sanitized)
-  {
-    GTEST_SKIP() << "sanitizers end the program where there is not enough memory";
-  }
   vtkNew<vtkImageData> image; // As a data set without an array of points; 24 bytes for each are
   image->SetDimensions(1 << 21, 1 << 20, 1 << 20); // more than a size_t can count.
   TestedLocator locator(image);
