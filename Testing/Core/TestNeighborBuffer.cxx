@@ -18,8 +18,9 @@ TYPED_TEST(TestNeighborBuffer, AppendsLeavesInOrder)
   constexpr int dim = TypeParam::value;
   using Key = MortonKey<dim>;
   std::mt19937 random(71);
-  std::vector<Neighbor<dim>> found{ { Key(5), 6, NeighborCase::Above } };
-  std::vector<Neighbor<dim>> expected = found;
+  const Neighbor<dim> first{ Key(5), 6, NeighborCase::Above };
+  std::vector<Neighbor<dim>> found(1, first);
+  std::vector<Neighbor<dim>> expected(1, first);
   NeighborBuffer<dim> buffer(found);
   for (std::uint32_t block = 0; block < 1000; ++block) // Far more than it holds.
   {
