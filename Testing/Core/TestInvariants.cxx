@@ -164,6 +164,22 @@ TEST_F(TestInvariants, LeafInTheTable)
   this->ExpectBroken("the table finds nothing else");
 }
 
+TEST_F(TestInvariants, CountsOfADepthWithoutLeaves)
+{
+  DepthCounts& counts = this->GetCounts();
+  for (auto* numbers : { &counts.Leaves, &counts.EmptyLeaves, &counts.Points })
+  {
+    numbers->push_back(0);
+  }
+  this->ExpectBroken("the counts end at the deepest leaf");
+}
+
+TEST_F(TestInvariants, CountsOfTooFewDepths)
+{
+  this->GetCounts().Points.pop_back();
+  this->ExpectBroken("the counts end at the deepest leaf");
+}
+
 TEST_F(TestInvariants, WrongCounts)
 {
   this->GetCounts().EmptyLeaves[3] += 1;

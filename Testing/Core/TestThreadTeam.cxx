@@ -70,23 +70,30 @@ TEST(TestThreadTeam, LoopsDoEachPartOnceOneAfterTheOther)
 
 TEST(TestThreadTeam, OthersHelpTheLeader)
 {
-  // The leader's part ends only when another thread has come for one.
+  // A part ends only when another thread has come for one.
   std::mutex mutex;
   std::set<std::thread::id> helpers;
   std::condition_variable changed;
   ThreadTeam::Run(Execution(OnThreads(2)), 2,
     [&](const Execution& execution)
     {
-      execution.For(2, 1,
-        [&](std::size_t, std::size_t)
-        {
-          std::unique_lock<std::mutex> lock(mutex);
-          helpers.insert(std::this_thread::get_id());
-          changed.notify_all();
-          changed.wait(lock, [&helpers] { return helpers.size() == 2; });
-        });
+      for (const char* loop : { "first", "second" })
+      {
+        helpers.clear();
+        execution.For(2, 1,
+          [&](std::size_t, std::size_t)
+          {
+            std::unique_lock<std::mutex> lock(mutex);
+            helpers.insert(std::this_thread::get_id());
+            changed.notify_all();
+            changed.wait_for(
+              lock, std::chrono::seconds(20), [&helpers] { return helpers.size() == 2; });
+          });
+        EXPECT_EQ(helpers.size(), 2U) << loop;
+        // Now the other one waits for the next loop, and must be told of it.
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
     });
-  EXPECT_EQ(helpers.size(), 2U);
 }
 
 TEST(TestThreadTeam, ALoopEndsWithTheLastOfItsParts)
