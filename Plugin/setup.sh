@@ -189,7 +189,7 @@ configure() {
   [[ $needed == yes ]] || return 0
   echo "Configuring $build"
   cmake "${start[@]}" "${options[@]/#/-D}" -S "$root" -B "$build" >>"$log" 2>&1 ||
-    fail_with_log "the configuration failed"
+    fail_with_log "the configuration failed (what Debian 13 needs stands in README, under Known limits)"
 }
 
 build_all() {

@@ -52,8 +52,12 @@ MortonKey<Dim> Deposit(const Cell<Dim>& cell, int depth)
 }
 #endif
 
-namespace
+template <int Dim>
+HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)
 {
+  return Deposit<Dim>(cell, depth);
+}
+
 template <int Dim>
 HASHEDOCTREE_WITH_PDEP void DepositCells(
   const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
@@ -63,32 +67,12 @@ HASHEDOCTREE_WITH_PDEP void DepositCells(
     keys[i] = Deposit<Dim>(cells[i], MortonKey<Dim>::MaxDepth);
   }
 }
-}
-
-template <int Dim>
-HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell(const Cell<Dim>& cell, int depth)
-{
-  return Deposit<Dim>(cell, depth);
-}
-
-template <int Dim>
-void InterleaveCells(const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
-{
-  if (PdepIsFastest)
-  {
-    DepositCells<Dim>(cells, count, keys);
-    return;
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    keys[i] = MortonKey<Dim>::FromCell(cells[i], MortonKey<Dim>::MaxDepth);
-  }
-}
 
 // GCC takes the attribute of an explicit instantiation, not that of the template.
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell<Dim>(const Cell<Dim>&, int);          \
-  template void InterleaveCells<Dim>(const Cell<Dim>*, std::size_t, MortonKey<Dim>*);
+  template HASHEDOCTREE_WITH_PDEP void DepositCells<Dim>(                                          \
+    const Cell<Dim>*, std::size_t, MortonKey<Dim>*);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)

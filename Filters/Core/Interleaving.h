@@ -27,10 +27,27 @@ MortonKey<Dim> InterleaveCell(const Cell<Dim>& cell, int depth)
   return PdepIsFastest ? DepositCell<Dim>(cell, depth) : MortonKey<Dim>::FromCell(cell, depth);
 }
 
-/** InterleaveCell() at MaxDepth for `count` cells, in their order, with the way chosen once.
- * Instantiated for 1 to 4 dimensions. */
+/** DepositCell() at MaxDepth for `count` cells, in their order. Instantiated for 1 to 4 dimensions.
+ */
 template <int Dim>
-void InterleaveCells(const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys);
+void DepositCells(const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys);
+
+/** The same by shifts, on every machine. */
+template <int Dim>
+void DilateCells(const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    keys[i] = MortonKey<Dim>::FromCell(cells[i], MortonKey<Dim>::MaxDepth);
+  }
+}
+
+/** The same by the machine's fastest way, which is chosen once. */
+template <int Dim>
+void InterleaveCells(const Cell<Dim>* cells, std::size_t count, MortonKey<Dim>* keys)
+{
+  PdepIsFastest ? DepositCells<Dim>(cells, count, keys) : DilateCells<Dim>(cells, count, keys);
+}
 }
 
 #endif

@@ -70,6 +70,18 @@ TYPED_TEST(TestInterleaving, FastestWayGivesTheKeysOfDilation)
   }
 }
 
+TYPED_TEST(TestInterleaving, DilationOfManyCells)
+{
+  constexpr int dim = TypeParam::value;
+  const std::vector<Cell<dim>> cells = this->MakeCells();
+  std::vector<MortonKey<dim>> keys(cells.size());
+  DilateCells<dim>(cells.data(), cells.size(), keys.data());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    ASSERT_EQ(keys[i], MortonKey<dim>::FromCell(cells[i], MortonKey<dim>::MaxDepth));
+  }
+}
+
 TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
 {
   constexpr int dim = TypeParam::value;
@@ -77,7 +89,14 @@ TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
   {
     GTEST_SKIP() << "this machine has no BMI2 instructions, so there is nothing to compare";
   }
-  for (const Cell<dim>& cell : this->MakeCells())
+  const std::vector<Cell<dim>> cells = this->MakeCells();
+  std::vector<MortonKey<dim>> keys(cells.size());
+  DepositCells<dim>(cells.data(), cells.size(), keys.data());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    ASSERT_EQ(keys[i], MortonKey<dim>::FromCell(cells[i], MortonKey<dim>::MaxDepth));
+  }
+  for (const Cell<dim>& cell : cells)
   {
     this->ForEachDepth(cell,
       [](const Cell<dim>& ancestor, int depth)
