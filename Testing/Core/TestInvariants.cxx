@@ -108,6 +108,18 @@ TEST_F(TestInvariants, ShiftedRange)
   this->ExpectBroken("ranges partition the points");
 }
 
+TEST_F(TestInvariants, RangeBeyondThePoints)
+{
+  for (std::size_t block = 0; block < this->Tree.GetNumberOfInternalNodes(); ++block)
+  {
+    PointIndex& end = this->GetBlock(block).FirstPoint.back();
+    const PointIndex sound = end;
+    end += 1000000; // What stands there must not be looked at.
+    this->ExpectBroken("ranges partition the points");
+    end = sound;
+  }
+}
+
 TEST_F(TestInvariants, FlippedInternalBit)
 {
   this->GetOctants(5).Internal ^= 1U;

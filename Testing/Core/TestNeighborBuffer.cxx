@@ -54,3 +54,21 @@ TYPED_TEST(TestNeighborBuffer, AppendsLeavesInOrder)
     ASSERT_EQ(found[i].Case, expected[i].Case) << i;
   }
 }
+
+TYPED_TEST(TestNeighborBuffer, TakesAnyNumberOfLeavesOneByOne)
+{
+  constexpr int dim = TypeParam::value;
+  std::vector<Neighbor<dim>> found;
+  NeighborBuffer<dim> buffer(found);
+  for (std::uint32_t block = 0; block < 1000; ++block)
+  {
+    buffer.Add({ MortonKey<dim>(1 + block), block, NeighborCase::Leaf });
+  }
+  buffer.Flush();
+  ASSERT_EQ(found.size(), 1000U);
+  for (std::uint32_t block = 0; block < 1000; ++block)
+  {
+    ASSERT_EQ(found[block].Key, MortonKey<dim>(1 + block));
+    ASSERT_EQ(found[block].ParentBlock, block);
+  }
+}

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -52,7 +53,7 @@ TEST(TestThreadTeam, LoopsDoEachPartOnceOneAfterTheOther)
             execution.For(values.size(), 1 + loop % 7,
               [&values, loop](std::size_t first, std::size_t last)
               {
-                ASSERT_LE(last - first, 1 + loop % 7);
+                ASSERT_EQ(last - first, std::min(1 + loop % 7, values.size() - first));
                 for (std::size_t i = first; i < last; ++i)
                 {
                   // Only in order: each loop must be over when the next one begins.
