@@ -12,7 +12,18 @@ namespace hashedoctree
 {
 constexpr unsigned MatchedKeys = 4;
 
-/** Which of MatchedKeys keys, aligned to 16 bytes, are the wanted one: bit i for key i. */
+/** Which of MatchedKeys keys are the wanted one: bit i for key i. */
+inline unsigned MatchKeysPlainly(const std::uint64_t* keys, std::uint64_t wanted)
+{
+  unsigned match = 0;
+  for (unsigned i = 0; i < MatchedKeys; ++i)
+  {
+    match |= (keys[i] == wanted ? 1U : 0U) << i;
+  }
+  return match;
+}
+
+/** The same by SSE2 where the machine has it. The keys must be aligned to 16 bytes. */
 inline unsigned MatchKeys(const std::uint64_t* keys, std::uint64_t wanted)
 {
 #ifdef __SSE2__
@@ -27,12 +38,7 @@ inline unsigned MatchKeys(const std::uint64_t* keys, std::uint64_t wanted)
   return static_cast<unsigned>(
     _mm_movemask_ps(_mm_shuffle_ps(compare(keys), compare(keys + 2), 0x88)));
 #else
-  unsigned match = 0;
-  for (unsigned i = 0; i < MatchedKeys; ++i)
-  {
-    match |= (keys[i] == wanted ? 1U : 0U) << i;
-  }
-  return match;
+  return MatchKeysPlainly(keys, wanted);
 #endif
 }
 }

@@ -30,6 +30,7 @@ TEST(TestKeyMatch, OnlyWholeKeysMatch)
       expected |= (chosen[i] == 0 ? 1U : 0U) << i;
     }
     ASSERT_EQ(MatchKeys(keys.data(), Wanted), expected);
+    ASSERT_EQ(MatchKeysPlainly(keys.data(), Wanted), expected);
 
     // The next choice, as one counts.
     for (std::size_t& choice : chosen)
@@ -47,4 +48,5 @@ TEST(TestKeyMatch, FindsZero)
 {
   alignas(16) const std::array<std::uint64_t, MatchedKeys> keys{ 0, 1, std::uint64_t(1) << 32, 0 };
   EXPECT_EQ(MatchKeys(keys.data(), 0), 0b1001U);
+  EXPECT_EQ(MatchKeysPlainly(keys.data(), 0), 0b1001U);
 }
