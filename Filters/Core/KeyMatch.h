@@ -23,7 +23,7 @@ inline unsigned MatchKeysPlainly(const std::uint64_t* keys, std::uint64_t wanted
   return match;
 }
 
-/** The same by SSE2 where the machine has it. The keys must be aligned to 16 bytes. */
+/** The same by SSE2 where it is compiled for that. The keys must be aligned to 16 bytes. */
 inline unsigned MatchKeys(const std::uint64_t* keys, std::uint64_t wanted)
 {
 #ifdef __SSE2__

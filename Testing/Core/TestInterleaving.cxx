@@ -39,6 +39,19 @@ public:
     return cells;
   }
 
+  /** Expects of a way to make the keys of many cells what dilation gives for each. */
+  template <typename Way>
+  static void ExpectKeysOfDilation(const Way& makeKeys)
+  {
+    const std::vector<Cell<Dim>> cells = MakeCells();
+    std::vector<Key> keys(cells.size());
+    makeKeys(cells.data(), cells.size(), keys.data());
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      ASSERT_EQ(keys[i], Key::FromCell(cells[i], Key::MaxDepth));
+    }
+  }
+
   /** Calls function(cell, depth) for a cell of MaxDepth and those around it at all other depths. */
   template <typename Function>
   static void ForEachDepth(Cell<Dim> cell, const Function& function)
@@ -58,28 +71,19 @@ TYPED_TEST_SUITE(TestInterleaving, Dimensions);
 TYPED_TEST(TestInterleaving, FastestWayGivesTheKeysOfDilation)
 {
   constexpr int dim = TypeParam::value;
-  const std::vector<Cell<dim>> cells = this->MakeCells();
-  std::vector<MortonKey<dim>> keys(cells.size());
-  InterleaveCells<dim>(cells.data(), cells.size(), keys.data());
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  this->ExpectKeysOfDilation(InterleaveCells<dim>);
+  for (const Cell<dim>& cell : this->MakeCells())
   {
-    ASSERT_EQ(keys[i], MortonKey<dim>::FromCell(cells[i], MortonKey<dim>::MaxDepth));
-    this->ForEachDepth(cells[i],
-      [](const Cell<dim>& cell, int depth)
-      { ASSERT_EQ(InterleaveCell<dim>(cell, depth), MortonKey<dim>::FromCell(cell, depth)); });
+    this->ForEachDepth(cell,
+      [](const Cell<dim>& ancestor, int depth) {
+        ASSERT_EQ(InterleaveCell<dim>(ancestor, depth), MortonKey<dim>::FromCell(ancestor, depth));
+      });
   }
 }
 
 TYPED_TEST(TestInterleaving, DilationOfManyCells)
 {
-  constexpr int dim = TypeParam::value;
-  const std::vector<Cell<dim>> cells = this->MakeCells();
-  std::vector<MortonKey<dim>> keys(cells.size());
-  DilateCells<dim>(cells.data(), cells.size(), keys.data());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    ASSERT_EQ(keys[i], MortonKey<dim>::FromCell(cells[i], MortonKey<dim>::MaxDepth));
-  }
+  this->ExpectKeysOfDilation(DilateCells<TypeParam::value>);
 }
 
 TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
@@ -89,14 +93,8 @@ TYPED_TEST(TestInterleaving, DepositGivesTheKeysOfDilation)
   {
     GTEST_SKIP() << "this machine has no BMI2 instructions, so there is nothing to compare";
   }
-  const std::vector<Cell<dim>> cells = this->MakeCells();
-  std::vector<MortonKey<dim>> keys(cells.size());
-  DepositCells<dim>(cells.data(), cells.size(), keys.data());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    ASSERT_EQ(keys[i], MortonKey<dim>::FromCell(cells[i], MortonKey<dim>::MaxDepth));
-  }
-  for (const Cell<dim>& cell : cells)
+  this->ExpectKeysOfDilation(DepositCells<dim>);
+  for (const Cell<dim>& cell : this->MakeCells())
   {
     this->ForEachDepth(cell,
       [](const Cell<dim>& ancestor, int depth)
