@@ -18,7 +18,6 @@ public:
     std::vector<Neighbor<Dim>>& found, Count& count)
     : Tree(tree)
     , Node(node)
-    , Home(node.GetCell())
     , Reading(reading)
     , Leaves(found)
     , Examined(count)
@@ -28,10 +27,14 @@ public:
   /** Not for the root. */
   void Search(int startDepth)
   {
+    const NeighborCells<Dim> parents = this->GetParentCells();
+    const unsigned apart = parents.GetAxesApart();
+    // Of two along an axis the node's own is the upper one where the node is the lower child.
+    const unsigned own = ~this->Node.GetOctant();
     ReachCells(
-      this->Tree, this->GetParentCells(), startDepth, this->Reading, this->Examined,
-      [this](const Cell<Dim>& cell, Key key, const Entry& entry)
-      { this->SearchChildren(cell, key, entry); },
+      this->Tree, parents, startDepth, this->Reading, this->Examined,
+      [this, apart, own](unsigned corner, Key key, const Entry& entry)
+      { this->SearchChildren((corner ^ own) & apart, key, entry); },
       [this](const FoundLeaf<Dim>& leaf) {
         this->Leaves.Add({ leaf.Key, leaf.ParentBlock, NeighborCase::Above });
       });
@@ -46,25 +49,22 @@ private:
   NeighborCells<Dim> GetParentCells() const
   {
     NeighborCells<Dim> parents;
+    const Cell<Dim> home = this->Node.GetCell();
     const int depth = this->Node.GetDepth();
     const std::uint32_t last = (1U << depth) - 1U;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      parents.Lower[axis] = (std::max(this->Home[axis], 1U) - 1U) / 2U;
-      parents.Upper[axis] = std::min(this->Home[axis] + 1U, last) / 2U;
+      parents.Lower[axis] = (std::max(home[axis], 1U) - 1U) / 2U;
+      parents.Upper[axis] = std::min(home[axis] + 1U, last) / 2U;
     }
     parents.Depth = depth - 1;
     return parents;
   }
 
-  /** The cells around the node that are children of one of the parents. */
-  void SearchChildren(const Cell<Dim>& parent, Key parentKey, const Entry& entry)
+  /** The cells around the node that are children of one of the parents, which lies across the
+   * border of the node's own parent along these axes. */
+  void SearchChildren(unsigned across, Key parentKey, const Entry& entry)
   {
-    unsigned across = 0; // The axes along which it is not the node's own parent.
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      across |= (parent[axis] != this->Home[axis] / 2U ? 1U : 0U) << (Dim - 1 - axis);
-    }
     const unsigned own = this->Node.GetOctant();
     const NeighborDirection<Dim> toParent{ across, own & across };
     const OctantMask<Dim> touching = toParent.GetTouchingOctants();
@@ -110,7 +110,6 @@ private:
 
   const Octree<Dim>& Tree;
   const Key Node;
-  const Cell<Dim> Home;
   const EmptyOctants Reading;
   NeighborBuffer<Dim> Leaves;
   Count& Examined;

@@ -216,13 +216,12 @@ struct Avx2Ids
   }
 
 private:
-  static constexpr PlacesOfBits Bits{};
 
   /** Stores eight ids, those whose bits are set first, and returns how many these are. */
   HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static int StoreSelected(
     __m256i ids, std::uint8_t selected, PointIndex* to)
   {
-    const __m256i places = _mm256_cvtepu8_epi32(_mm_loadu_si64(Bits.Places[selected]));
+    const __m256i places = _mm256_cvtepu8_epi32(_mm_loadu_si64(BitPlaces.Places[selected]));
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(ids, places));
     return __builtin_popcount(selected);
   }

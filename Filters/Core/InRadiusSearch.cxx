@@ -16,7 +16,8 @@ public:
   InRadiusWalk(const Octree<Dim>& tree, MortonKey<Dim> node, const NodeBall<Dim>& ball,
     EmptyOctants reading, std::vector<Neighbor<Dim>>& found, Count& count)
     : Tree(tree)
-    , Node(node)
+    , Parent(node.GetParent())
+    , OctantBit(1U << node.GetOctant())
     , Depth(node.GetDepth())
     , Ball(ball)
     , Reading(reading)
@@ -29,12 +30,30 @@ public:
   void Search(int startDepth)
   {
     const NeighborCells<Dim> cover = this->Ball.GetCover();
-    std::array<Parent, Key::NumberOfOctants> parents;
+    const Corner lower = this->Ball.GetLower(cover.Lower, cover.Depth);
+    const double size = NodeBall<Dim>::GetSize(cover.Depth);
+    Group cells;
     std::size_t count = 0;
+    std::uint64_t internal = 0;
     ReachCells(
       this->Tree, cover, startDepth, this->Reading, this->Examined,
-      [this, &cover, &parents, &count](const Cell<Dim>& cell, Key key, const Entry& entry) {
-        parents[count++] = { key, this->Ball.GetLower(cell, cover.Depth), &entry };
+      [&](unsigned corner, Key key, const Entry& entry)
+      {
+        if (count == GroupSize)
+        {
+          this->Descend(cells, internal, cover.Depth + 1);
+          count = 0;
+          internal = 0;
+        }
+        Node& cell = cells[count];
+        cell.NodeKey = key;
+        cell.Block = entry.Block;
+        cell.Lower = NodeBall<Dim>::GetLowerOfOctant(lower, size, corner);
+        this->Tree.PrefetchOctants(cell.Block);
+        const std::uint64_t inner =
+          this->ListLeaves(cell, entry, 0.5 * size, this->GetCase(cover.Depth + 1));
+        internal |= inner << (count * Key::NumberOfOctants);
+        ++count;
       },
       [this](const FoundLeaf<Dim>& leaf)
       {
@@ -44,105 +63,98 @@ public:
           this->Leaves.Add({ key, leaf.ParentBlock, NeighborCase::Above });
         }
       });
-    this->Descend(parents.data(), count, cover.Depth);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Tree.PrefetchOctants(this->Tree.GetOctants(cells[i].Block).FirstChild);
+    }
+    this->Descend(cells, internal, cover.Depth + 1);
     this->Leaves.Flush();
   }
 
 private:
   using Key = MortonKey<Dim>;
+  using Corner = typename NodeBall<Dim>::Corner;
   using Entry = typename Octree<Dim>::Entry;
+  using Octants = typename Octree<Dim>::Octants;
 
-  /** An internal node on the way down. */
-  struct Parent
+  /** An internal node that meets the ball. */
+  struct Node
   {
     Key NodeKey;
-    Position<Dim> Lower; ///< From the center of the ball, see NodeBall.
-    const Entry* Children;
+    std::uint32_t Block;
+    Corner Lower;
   };
   /** So many are looked at together: their children have one bit each in a word. */
   static constexpr std::size_t GroupSize = 64 / Key::NumberOfOctants;
+  /** Of one depth. They are made in their places: to copy what has just been written part by part
+   * is to wait for it. */
+  using Group = std::array<Node, GroupSize>;
 
-  /** Lists the leaves below the parents, of this depth, that meet the ball. */
-  void Descend(const Parent* parents, std::size_t count, int depth)
+  /** Lists the leaves that meet the ball below children of a group. These children, which have a
+   * bit each in `internal`, are of this depth; they meet the ball and are no leaves. */
+  void Descend(const Group& parents, std::uint64_t internal, int depth)
   {
-    for (const Parent* const last = parents + count; parents < last; parents += GroupSize)
+    const double size = NodeBall<Dim>::GetSize(depth);
+    const NeighborCase kind = this->GetCase(depth + 1);
+    while (internal != 0)
     {
-      const auto size = std::min<std::size_t>(GroupSize, last - parents);
-      std::uint64_t internal = this->ListLeaves(parents, size, depth + 1);
-      while (internal != 0)
+      Group nodes;
+      Node* node = nodes.data();
+      std::uint64_t below = 0;
+      for (unsigned shift = 0; internal != 0 && shift < 64; shift += Key::NumberOfOctants)
       {
-        std::array<Parent, GroupSize> children;
-        const std::size_t taken = this->TakeChildren(parents, depth + 1, internal, children);
-        this->Descend(children.data(), taken, depth + 1);
+        const auto bit = static_cast<unsigned>(__builtin_ctzll(internal));
+        internal &= internal - 1;
+        const Node& parent = parents[bit / Key::NumberOfOctants];
+        const unsigned octant = bit % Key::NumberOfOctants;
+        node->NodeKey = parent.NodeKey.GetChild(octant);
+        node->Block = this->Tree.GetChildBlock(parent.Block, octant);
+        node->Lower = NodeBall<Dim>::GetLowerOfOctant(parent.Lower, size, octant);
+        const Octants& children = this->Tree.GetOctants(node->Block);
+        this->Tree.PrefetchOctants(children.FirstChild);
+        below |= std::uint64_t(this->ListLeaves(*node, children, 0.5 * size, kind)) << shift;
+        ++node;
+      }
+      if (below != 0)
+      {
+        this->Descend(nodes, below, depth + 1);
       }
     }
   }
 
-  /** Makes parents of the first group of internal nodes, of this depth, whose bits are taken out;
-   * returns how many. The table is asked for all before the first is needed. */
-  std::size_t TakeChildren(const Parent* parents, int depth, std::uint64_t& internal,
-    std::array<Parent, GroupSize>& children) const
+  /** Lists those children of a node that are leaves and meet the ball, and returns those that are
+   * internal nodes and meet it. `size` is theirs. */
+  template <typename Children>
+  std::uint32_t ListLeaves(
+    const Node& node, const Children& children, double size, NeighborCase kind)
   {
-    const double size = NodeBall<Dim>::GetSize(depth);
-    std::size_t count = 0;
-    for (; internal != 0 && count < GroupSize; internal &= internal - 1)
-    {
-      const auto bit = static_cast<unsigned>(__builtin_ctzll(internal));
-      const Parent& parent = parents[bit / Key::NumberOfOctants];
-      Parent& child = children[count++];
-      child.NodeKey = parent.NodeKey.GetChild(bit % Key::NumberOfOctants);
-      this->Tree.GetTable().Prefetch(child.NodeKey.GetValue());
-      for (int axis = 0; axis < Dim; ++axis)
-      {
-        // (A product, since a choice is made by a branch, which nobody could foresee.)
-        child.Lower[axis] = parent.Lower[axis] + size * (bit >> (Dim - 1 - axis) & 1U);
-      }
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      children[i].Children = this->Tree.GetTable().Find(children[i].NodeKey.GetValue());
-    }
-    return count;
+    const std::uint32_t others = this->GetOthers(node.NodeKey);
+    this->Examined.AddNodes(__builtin_popcount(others));
+    const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : children.Occupied;
+    const std::uint32_t meeting = others & nodes & this->Ball.GetMeetingOctants(node.Lower, size);
+    this->Leaves.AddChildren(node.NodeKey, meeting & ~children.Internal, node.Block, kind);
+    return meeting & children.Internal;
   }
 
-  /** Lists those children, of this depth, that are leaves and meet the ball, and returns those that
-   * are internal nodes and meet it. */
-  std::uint64_t ListLeaves(const Parent* parents, std::size_t count, int depth)
-  {
-    const double size = NodeBall<Dim>::GetSize(depth);
-    const NeighborCase kind = this->GetCase(depth);
-    std::uint64_t internal = 0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const std::uint32_t others = this->GetOthers(parents[i].NodeKey);
-      this->Examined.AddNodes(__builtin_popcount(others));
-      const Entry& entry = *parents[i].Children;
-      const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : entry.Occupied;
-      const std::uint32_t meeting =
-        others & nodes & this->Ball.GetMeetingOctants(parents[i].Lower, size);
-      internal |= std::uint64_t(meeting & entry.Internal) << (i * Key::NumberOfOctants);
-      this->Leaves.AddChildren(parents[i].NodeKey, meeting & ~entry.Internal, entry.Block, kind);
-    }
-    return internal;
-  }
-
-  /** The children of a node without the node that is searched from. */
+  /** The children of a node without the node that is searched from. (By a product, since nobody
+   * could foresee a branch.) */
   std::uint32_t GetOthers(Key key) const
   {
     constexpr std::uint32_t all = (1U << Key::NumberOfOctants) - 1U;
-    return key == this->Node.GetParent() ? all ^ 1U << this->Node.GetOctant() : all;
+    return all ^ this->OctantBit * static_cast<std::uint32_t>(key == this->Parent);
   }
 
   NeighborCase GetCase(int depth) const
   {
-    constexpr NeighborCase cases[] = { NeighborCase::Above, NeighborCase::Leaf,
+    static constexpr NeighborCase cases[] = { NeighborCase::Above, NeighborCase::Leaf,
       NeighborCase::Descended };
-    return cases[1 + (depth > this->Depth ? 1 : 0) - (depth < this->Depth ? 1 : 0)];
+    return cases[static_cast<int>(depth >= this->Depth) + static_cast<int>(depth > this->Depth)];
   }
 
   const Octree<Dim>& Tree;
-  const Key Node;
-  const int Depth;
+  const Key Parent;              ///< Of the node that is searched from,
+  const std::uint32_t OctantBit; ///< the bit of its octant there,
+  const int Depth;               ///< and its depth.
   const NodeBall<Dim>& Ball;
   const EmptyOctants Reading;
   NeighborBuffer<Dim> Leaves;

@@ -19,13 +19,14 @@ namespace hashedoctree
  * ball, of which there can be millions, the search looks at the at most 2^Dim cells that cover the
  * ball, of the deepest depth whose cells are as wide. It reaches each directly through the table,
  * or finds the leaf above by a direct search from min(startDepth, depth of these cells), and goes
- * down through the children that meet the ball, some nodes of one depth together, so that the
- * machine loads what the table tells of all their children at once.
+ * down through the octants of the children that meet the ball, which stand side by side; some nodes
+ * of one depth together, so that the machine loads what they tell at once.
  *
  * `found` is replaced by the leaves, each once, in an order that depends on the tree, the node and
- * the radius alone: first those above, then depth by depth below the covering cells as long as
- * these nodes are few, and so on below groups of them. In the sparse reading empty octants are no
- * leaves, and an internal node is never found in their place (E4, E5).
+ * the radius alone: for one covering cell after the other the leaf above it or its children that
+ * are leaves, then depth by depth what is below them as long as these nodes are few, and so on
+ * below groups of them. In the sparse reading empty octants are no leaves, and an internal node is
+ * never found in their place (E4, E5).
  *
  * `startDepth`, any depth in [0, MortonKey::MaxDepth], changes the cost, never the answer. Counted
  * are the children looked at on the way down, one for each covering cell that has none, and the

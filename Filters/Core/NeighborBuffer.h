@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace hashedoctree
@@ -36,17 +38,23 @@ public:
     MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block, NeighborCase kind)
   {
     this->MakeRoom();
-    const std::uint64_t child = node.GetChild(0).GetValue();
+    // In two numbers, as which a leaf is written by two stores instead of three.
+    const Neighbor<Dim> child = { node.GetChild(0), block, kind };
+    std::array<std::uint64_t, 2> leaf;
+    static_assert(sizeof(leaf) == sizeof(child), "the key is the first number");
+    std::memcpy(leaf.data(), &child, sizeof(leaf));
+    const std::uint64_t key = leaf[0];
     for (unsigned first = 0; first < MortonKey<Dim>::NumberOfOctants; first += Width)
     {
       const unsigned mask = octants >> first & ((1U << Width) - 1U);
       // As many are written as there can be: how many there are nobody could foresee.
       Neighbor<Dim>* next = this->Leaves.data() + this->Size;
-      for (const std::uint8_t place : Bits.Places[mask])
+      for (const std::uint8_t place : BitPlaces.Places[mask])
       {
-        *next++ = { MortonKey<Dim>(child + first + place), block, kind };
+        leaf[0] = key + first + place;
+        std::memcpy(next++, leaf.data(), sizeof(leaf));
       }
-      this->Size += Bits.Count[mask];
+      this->Size += BitPlaces.Count[mask];
     }
   }
 
@@ -58,7 +66,6 @@ public:
   }
 
 private:
-  static constexpr PlacesOfBits Bits{};
   static constexpr unsigned Width =
     std::min<unsigned>(PlacesOfBits::Width, MortonKey<Dim>::NumberOfOctants);
   static constexpr std::size_t Most = 240; ///< With room behind it for the children of a node.

@@ -16,21 +16,19 @@ struct NeighborCells
   Cell<Dim> Upper; ///< The last: the same, or the next one.
   int Depth;
 
-  /** The cell that is the upper one along the axes of `corner`, which are placed as in an octant.
-   */
-  Cell<Dim> GetCell(unsigned corner) const
+  /** The axes along which there are two, placed as in an octant. */
+  unsigned GetAxesApart() const
   {
-    Cell<Dim> cell;
+    unsigned apart = 0;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      // (A product, since a choice is made by a branch, which nobody could foresee.)
-      cell[axis] = this->Lower[axis] +
-        (corner >> (Dim - 1 - axis) & 1U) * (this->Upper[axis] - this->Lower[axis]);
+      apart |= (this->Lower[axis] != this->Upper[axis] ? 1U : 0U) << (Dim - 1 - axis);
     }
-    return cell;
+    return apart;
   }
 
-  /** One of the cells, by a corner and its key. */
+  /** One of the cells, which is the upper one along the axes of `Corner`, placed as in an octant.
+   */
   struct CornerKey
   {
     unsigned Corner;
@@ -43,11 +41,7 @@ struct NeighborCells
   {
     const std::uint64_t lower = InterleaveCell<Dim>(this->Lower, this->Depth).GetValue();
     const std::uint64_t upper = InterleaveCell<Dim>(this->Upper, this->Depth).GetValue();
-    unsigned apart = 0; // The axes along which there are two.
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      apart |= (this->Lower[axis] != this->Upper[axis] ? 1U : 0U) << (Dim - 1 - axis);
-    }
+    const unsigned apart = this->GetAxesApart();
     std::size_t count = 0;
     unsigned corner = 0;
     do
@@ -63,8 +57,8 @@ struct NeighborCells
 
 /**
  * Reaches the cells directly through the table, in the order of their corners. For each that is an
- * internal node it calls onBlock(cell, key, entry). The others lie in leaves, of the same depth or
- * higher: these are found by direct searches from min(startDepth, depth of the cells) (case 3 of
+ * internal node it calls onBlock(corner, key, entry). The others lie in leaves, of the same depth
+ * or higher: these are found by direct searches from min(startDepth, depth of the cells) (case 3 of
  * paper Algorithm 2, with the depth of E5) and given to onLeaf(leaf), each once however many of the
  * cells it holds, and empty cells of a sparse tree not at all.
  *
@@ -78,9 +72,12 @@ void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int st
   using Key = MortonKey<Dim>;
   typename NeighborCells<Dim>::CornerKeys keys;
   const std::size_t numberOfCells = cells.GetKeys(keys);
-  for (std::size_t i = 0; i < numberOfCells; ++i)
+  if (!tree.GetTable().IsCached())
   {
-    tree.GetTable().Prefetch(keys[i].Key.GetValue());
+    for (std::size_t i = 0; i < numberOfCells; ++i)
+    {
+      tree.GetTable().Prefetch(keys[i].Key.GetValue());
+    }
   }
   for (std::size_t i = 0; i < numberOfCells; ++i)
   {
@@ -91,7 +88,7 @@ void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int st
     }
     if (const typename Octree<Dim>::Entry* entry = tree.GetTable().Find(key.GetValue()))
     {
-      onBlock(cells.GetCell(keys[i].Corner), key, *entry);
+      onBlock(keys[i].Corner, key, *entry);
       continue;
     }
     count.AddNode();

@@ -25,6 +25,11 @@ class NodeBall
 {
 public:
   using Key = MortonKey<Dim>;
+  /** Two numbers in one register. */
+  using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
+  /** The lower corner of a cell, from the center of the ball, as the machine computes it: the axes
+   * two by two, and 0 where an odd number of them leaves room. */
+  using Corner = std::array<Pair, (Dim + 1) / 2>;
 
   /** `radius` in world units, not negative; may be infinite. */
   NodeBall(const Grid<Dim>& grid, Key node, double radius)
@@ -61,19 +66,17 @@ public:
   }
 
   /** Of the 2^Dim cells of this size around a corner, which is the upper one of the first: those
-   * that meet the ball, one bit for each octant. `lower` is the first one's lower corner, as
-   * GetLower() gives it. */
-  std::uint32_t GetMeetingOctants(const Position<Dim>& lower, double size) const
+   * that meet the ball, one bit for each octant. `lower` is the first one's lower corner. */
+  std::uint32_t GetMeetingOctants(const Corner& lower, double size) const
   {
     // On each axis there are two places only, which make a vector.
     const Pair places = { 0.0, size };
     std::array<Pair, Dim> nearest2;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const Pair below = lower[axis] + places;
+      const Pair below = lower[axis / 2][axis % 2] + places;
       const Pair above = -size - below;
-      Pair nearest = below > above ? below : above;
-      nearest = nearest > Pair{} ? nearest : Pair{};
+      const Pair nearest = GetLarger(GetLarger(below, above), Pair{});
       nearest2[axis] = nearest * nearest;
     }
     // Sums over the last axes, for all places along them. (In whatever order: see above.)
@@ -98,16 +101,29 @@ public:
     return meeting;
   }
 
-  /** The lower corner of a cell, from the center of the ball. Exact. */
-  Position<Dim> GetLower(const Cell<Dim>& cell, int depth) const
+  /** The lower corner of a cell. Exact. */
+  Corner GetLower(const Cell<Dim>& cell, int depth) const
   {
-    Position<Dim> lower;
+    Corner lower{};
     for (int axis = 0; axis < Dim; ++axis)
     {
-      lower[axis] = static_cast<double>(
+      lower[axis / 2][axis % 2] = static_cast<double>(
         (std::int64_t(cell[axis]) << (Key::MaxDepth + 1 - depth)) - this->Center[axis]);
     }
     return lower;
+  }
+
+  /** The same of one of the 2^Dim cells of this size of which the first has this lower corner. */
+  static Corner GetLowerOfOctant(const Corner& lower, double size, unsigned octant)
+  {
+    const Pair sizes = { size, size };
+    Corner corner;
+    for (std::size_t i = 0; i < corner.size(); ++i)
+    {
+      // (A product, since a choice is made by a branch, which nobody could foresee.)
+      corner[i] = lower[i] + sizes * Steps.OfOctant[octant][i];
+    }
+    return corner;
   }
 
   /** The side of the cells at a depth. */
@@ -145,9 +161,41 @@ public:
   }
 
 private:
-  /** Two numbers in one register. */
-  using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
+  /** For each octant 1 along the axes on which it is the upper one, else 0. */
+  struct OctantSteps
+  {
+    std::array<Corner, Key::NumberOfOctants> OfOctant{};
+
+    constexpr OctantSteps()
+    {
+      for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+      {
+        std::array<double, 2 * std::tuple_size<Corner>::value> steps{};
+        for (int axis = 0; axis < Dim; ++axis)
+        {
+          steps[axis] = octant >> (Dim - 1 - axis) & 1U;
+        }
+        for (std::size_t i = 0; i < steps.size(); i += 2)
+        {
+          this->OfOctant[octant][i / 2] = Pair{ steps[i], steps[i + 1] };
+        }
+      }
+    }
+  };
+  static constexpr OctantSteps Steps{};
+
   using Truths __attribute__((vector_size(2 * sizeof(double)))) = std::int64_t;
+
+  /** Of each pair of numbers the larger, none of which is NaN. (GCC compares, and chooses by
+   * masks.) */
+  static Pair GetLarger(Pair a, Pair b)
+  {
+#ifdef __SSE2__
+    return _mm_max_pd(a, b);
+#else
+    return a > b ? a : b;
+#endif
+  }
 
   static std::uint32_t GetBits(Truths truths)
   {

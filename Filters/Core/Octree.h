@@ -5,6 +5,7 @@
 #include "Buffer.h"
 #include "DepthStatistics.h"
 #include "NodeTable.h"
+#include "PlacesOfBits.h"
 #include "PointSelection.h"
 #include "SpareMemory.h"
 
@@ -33,10 +34,8 @@ using OctantMask = std::conditional_t<Dim == 4, std::uint16_t, std::uint8_t>;
 /** Number of bits set in an octant mask. (The machine's own instruction is not in every x86-64.) */
 constexpr unsigned CountOctants(std::uint32_t mask)
 {
-  mask -= mask >> 1 & 0x5555U;
-  mask = (mask & 0x3333U) + (mask >> 2 & 0x3333U);
-  mask = (mask + (mask >> 4)) & 0x0f0fU;
-  return (mask + (mask >> 8)) & 0x1fU;
+  static_assert(PlacesOfBits::Width == 8, "a mask has two bytes at most");
+  return unsigned(BitPlaces.Count[mask & 0xffU]) + BitPlaces.Count[mask >> 8];
 }
 
 template <int Dim>
@@ -173,6 +172,13 @@ public:
       const auto octant = static_cast<unsigned>(__builtin_ctz(children));
       this->Table.Prefetch(key.GetChild(octant).GetValue());
     }
+  }
+
+  /** Asks for the octants of a block, before a search goes down into it; and, as siblings stand
+   * side by side, for those of the next ones. Inline for the same reason. */
+  [[gnu::always_inline]] void PrefetchOctants(std::size_t block) const
+  {
+    __builtin_prefetch(&this->BlockOctants[block]);
   }
 
   /** Bytes of the tree itself: blocks, their octants and keys, and the table. */

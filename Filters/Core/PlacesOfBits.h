@@ -29,6 +29,8 @@ struct PlacesOfBits
     }
   }
 };
+
+inline constexpr PlacesOfBits BitPlaces{};
 }
 
 #endif

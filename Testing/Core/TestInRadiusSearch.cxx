@@ -168,9 +168,9 @@ TEST(TestInRadiusSearchFacts, CasesAndOrder)
   // Around (3, 1), the middle of [2, 4] x [0, 2].
   expect(0b10010, 0.99, {});
   expect(0b10010, 1.0,
-    { { 0b110, above }, { 0b10000, leaf }, { 0b1001100, descended }, { 0b1001110, descended } });
+    { { 0b10000, leaf }, { 0b110, above }, { 0b1001100, descended }, { 0b1001110, descended } });
   expect(0b10010, 1.5,
-    { { 0b110, above }, { 0b10000, leaf }, { 0b10001, leaf }, { 0b1001100, descended },
+    { { 0b10000, leaf }, { 0b10001, leaf }, { 0b110, above }, { 0b1001100, descended },
       { 0b1001110, descended } });
   expect(0b10010, 3.1,
     { { 0b101, above }, { 0b110, above }, { 0b10000, leaf }, { 0b10001, leaf },

@@ -28,6 +28,16 @@ TYPED_TEST(TestNeighborCells, EachCellIsReachedOnceOrInALeaf)
       {
         NeighborCells<dim> cells;
         cells.Depth = depth;
+        const auto getKey = [&cells](unsigned corner)
+        {
+          Cell<dim> cell;
+          for (int axis = 0; axis < dim; ++axis)
+          {
+            const bool isUpper = (corner >> (dim - 1 - axis) & 1U) != 0;
+            cell[axis] = isUpper ? cells.Upper[axis] : cells.Lower[axis];
+          }
+          return Key::FromCell(cell, cells.Depth);
+        };
         std::set<std::uint64_t> expectedBlocks;
         std::set<std::uint64_t> expectedLeaves;
         for (int axis = 0; axis < dim; ++axis)
@@ -37,7 +47,7 @@ TYPED_TEST(TestNeighborCells, EachCellIsReachedOnceOrInALeaf)
         }
         for (unsigned corner = 0; corner < Key::NumberOfOctants; ++corner)
         {
-          const Key key = Key::FromCell(cells.GetCell(corner), depth);
+          const Key key = getKey(corner);
           const auto leaf = FindLeaf(made.Tree, key.GetFirstAtMaxDepth(), 0);
           const bool isInternal = leaf.Key.GetDepth() > depth;
           (isInternal ? expectedBlocks : expectedLeaves)
@@ -48,9 +58,10 @@ TYPED_TEST(TestNeighborCells, EachCellIsReachedOnceOrInALeaf)
         NodeCount count;
         ReachCells(
           made.Tree, cells, 2, EmptyOctants::Leaves, count,
-          [&](const Cell<dim>& cell, Key key, const auto& entry)
+          [&](unsigned corner, Key key, const auto& entry)
           {
-            EXPECT_EQ(Key::FromCell(cell, depth), key);
+            EXPECT_EQ(corner & ~cells.GetAxesApart(), 0U);
+            EXPECT_EQ(getKey(corner), key);
             EXPECT_EQ(made.Tree.GetBlockKey(entry.Block), key);
             blocks.insert(key.GetValue());
           },
@@ -79,7 +90,7 @@ TEST(TestNeighborCellsFacts, EmptyCellsOfASparseTreeAreNoLeaves)
   NodeCount count;
   ReachCells(
     made.Tree, cells, 0, EmptyOctants::Missing, count,
-    [](const Cell<2>&, MortonKey<2>, const auto&) { ADD_FAILURE(); },
+    [](unsigned, MortonKey<2>, const auto&) { ADD_FAILURE(); },
     [&leaves](const FoundLeaf<2>& leaf) { leaves.push_back(leaf.Key.GetValue()); });
   EXPECT_EQ(leaves, (std::vector<std::uint64_t>{ 0b100, 0b111 }));
   EXPECT_EQ(count.Nodes, 4U * 3U);

@@ -61,10 +61,16 @@ TYPED_TEST(TestNodeBall, CellsMeetTheBallWithTheirNearestPoints)
     const bool expected = this->GetNearest2(NodeBox<dim>(node), NodeBox<dim>(other)) <= radius2;
     ASSERT_EQ(ball.Meets(other.GetCell(), other.GetDepth()), expected);
     ASSERT_EQ(ball.ReachesBorder(), radius >= std::ldexp(2.0, -depth));
-    const Position<dim> parent = ball.GetLower(other.GetParent().GetCell(), other.GetDepth() - 1);
-    const std::uint32_t octants =
-      ball.GetMeetingOctants(parent, NodeBall<dim>::GetSize(other.GetDepth()));
+    const auto parent = ball.GetLower(other.GetParent().GetCell(), other.GetDepth() - 1);
+    const double size = NodeBall<dim>::GetSize(other.GetDepth());
+    const std::uint32_t octants = ball.GetMeetingOctants(parent, size);
     ASSERT_EQ((octants >> other.GetOctant() & 1U) != 0, expected);
+    const auto lower = ball.GetLower(other.GetCell(), other.GetDepth());
+    const auto lowerOfOctant = NodeBall<dim>::GetLowerOfOctant(parent, size, other.GetOctant());
+    for (int axis = 0; axis < dim; ++axis)
+    {
+      ASSERT_EQ(lowerOfOctant[axis / 2][axis % 2], lower[axis / 2][axis % 2]);
+    }
     numberOfMeeting += expected ? 1 : 0;
   }
   EXPECT_GT(numberOfMeeting, 500);
