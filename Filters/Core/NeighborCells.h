@@ -72,12 +72,9 @@ void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int st
   using Key = MortonKey<Dim>;
   typename NeighborCells<Dim>::CornerKeys keys;
   const std::size_t numberOfCells = cells.GetKeys(keys);
-  if (!tree.GetTable().IsCached())
+  for (std::size_t i = 0; i < numberOfCells; ++i)
   {
-    for (std::size_t i = 0; i < numberOfCells; ++i)
-    {
-      tree.GetTable().Prefetch(keys[i].Key.GetValue());
-    }
+    tree.GetTable().Prefetch(keys[i].Key.GetValue());
   }
   for (std::size_t i = 0; i < numberOfCells; ++i)
   {
