@@ -40,11 +40,13 @@ void WriteConditions(std::ostream& out, const std::vector<PaperResults>& sets, i
       << HASHEDOCTREE_COMPILER << "\n- Times: medians of " << repetitions
       << " repetitions, structures in turns, each repeated for at least "
       << 1e3 * SecondsOfMeasurement
-      << " ms; after ~ their spread, which is the width of the middle half of the repetitions in "
-         "percent of the median\n- Trees: one point per leaf to depth 21, empty leaves "
-         "are nodes; all "
-         "structures have the same leaves\n- Point sets: made by Data/make_point_sets.py as "
-         "stand-ins for the paper's, see Data/README.md; the points are in random order there\n";
+      << " ms, and after one run that is not measured where that has at most "
+      << MostWarmedSearches / 1000
+      << " thousand searches; after ~ their spread, which is the width of the middle half of the "
+         "repetitions in percent of the median\n- Trees: one point per leaf to depth 21, empty "
+         "leaves are nodes; all structures have the same leaves\n- Point sets: made by "
+         "Data/make_point_sets.py as stand-ins for the paper's, see Data/README.md; the points "
+         "are in random order there\n";
   std::size_t checked = 0;
   std::size_t different = 0;
   for (const PaperResults& set : sets)

@@ -4,6 +4,7 @@
 #include "Median.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace paper_benchmark
 {
@@ -45,8 +46,19 @@ std::vector<std::vector<double>> MeasureInTurns(
 }
 
 std::vector<Spread> TimeInTurns(
-  const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions)
+  std::vector<std::function<double()>> runs, std::size_t searches, int repetitions)
 {
+  if (searches <= MostWarmedSearches)
+  {
+    for (std::function<double()>& run : runs)
+    {
+      run = [once = std::move(run)]
+      {
+        once();
+        return once();
+      };
+    }
+  }
   std::vector<Spread> spreads;
   for (const std::vector<double>& times : MeasureInTurns(runs, searches, repetitions))
   {

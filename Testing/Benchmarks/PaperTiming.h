@@ -38,9 +38,13 @@ double GetSeconds(const Function& function)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/** A measurement goes on for at least so long: runs that take less are repeated for it, so that
- * what the measurement before left in the caches is of no matter. */
+/** A measurement goes on for at least so long: runs that take less are repeated for it. */
 constexpr double SecondsOfMeasurement = 2e-3;
+
+/** Runs of no more searches are done once before they are measured: some structures are searched in
+ * turn in several ways, and the first one shall not load the caches for the others. A run of more
+ * searches does that for itself. */
+constexpr std::size_t MostWarmedSearches = 1000000;
 
 /** Of at least one time. The middle half is from the quarter of the times that are below it,
  * rounded down, to as many above it: of five, the second to the fourth. */
@@ -52,9 +56,9 @@ Spread GetSpread(std::vector<double> times);
 std::vector<std::vector<double>> MeasureInTurns(
   const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions);
 
-/** MeasureInTurns(), and the spread of each run. */
+/** MeasureInTurns() with warm caches, and the spread of each run. */
 std::vector<Spread> TimeInTurns(
-  const std::vector<std::function<double()>>& runs, std::size_t searches, int repetitions);
+  std::vector<std::function<double()>> runs, std::size_t searches, int repetitions);
 }
 
 #endif

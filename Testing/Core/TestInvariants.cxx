@@ -127,6 +127,13 @@ TEST_F(TestInvariants, FlippedInternalBit)
     "a node is internal just when it holds more than MaxPointsPerLeaf points above MaxDepth");
 }
 
+TEST_F(TestInvariants, BlockThatIsNotReached)
+{
+  const unsigned internal = this->GetOctants(0).Internal;
+  this->GetOctants(0).Internal = static_cast<OctantMask<3>>(internal & (internal - 1U));
+  this->ExpectBroken("every block is reached from the root");
+}
+
 TEST_F(TestInvariants, FlippedOccupiedBit)
 {
   this->GetOctants(5).Occupied ^= 1U;

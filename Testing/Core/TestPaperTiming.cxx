@@ -55,9 +55,20 @@ TEST(TestPaperTiming, RunsTakeTurnsAndTimesAreForOneSearch)
   const auto seconds = MeasureInTurns({ makeRun('a', 10.0), makeRun('b', 20.0) }, 4, 3);
   EXPECT_EQ(order, "ababab");
   EXPECT_EQ(seconds, (std::vector<std::vector<double>>{ { 2.5, 2.75, 3.0 }, { 5.0, 5.25, 5.5 } }));
-  const auto spreads = TimeInTurns({ makeRun('a', 10.0), makeRun('b', 20.0) }, 4, 3);
-  EXPECT_EQ(spreads.size(), 2U);
-  EXPECT_EQ(spreads[1].Median, 5.25);
+}
+
+TEST(TestPaperTiming, FewSearchesAreDoneOnceBeforeTheyAreMeasured)
+{
+  const auto time = [](std::size_t searches)
+  {
+    double seconds = 10.0;
+    return TimeInTurns({ [] { return 1.0; }, [&seconds] { return seconds++; } }, searches, 3);
+  };
+  const auto few = time(MostWarmedSearches);
+  ASSERT_EQ(few.size(), 2U);
+  EXPECT_DOUBLE_EQ(few[0].Median * MostWarmedSearches, 1.0);
+  EXPECT_DOUBLE_EQ(few[1].Median * MostWarmedSearches, 13.0); // Of 11, 13 and 15.
+  EXPECT_DOUBLE_EQ(time(MostWarmedSearches + 1)[1].Median * (MostWarmedSearches + 1), 11.0);
 }
 
 TEST(TestPaperTiming, ShortRunsAreRepeated)

@@ -302,6 +302,18 @@ TEST(TestPointSearchFacts, BallsFarFromAllPointsExamineNoNode)
   EXPECT_GT(search.CountNodesForWithin({ 0.005, 0.005, 0.005 }, 1e-9), 0U);
 }
 
+TEST(TestPointSearchFacts, ARootThatIsALeafIsOneNode)
+{
+  const PointSample<3, float> sample{ "few", MakeUniformPoints<3, float>(5, 168) };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const PointSearch<3, float> search(tree);
+  const Position<3> x{ 0.5, 0.5, 0.5 };
+  EXPECT_EQ(search.CountNodesForClosest(x), 1U);
+  EXPECT_EQ(search.CountNodesForClosest(x, 2), 1U);
+  EXPECT_EQ(search.CountNodesForWithin(x, 0.1), 1U);
+}
+
 TEST(TestPointSearchFacts, BallsTakeWholeNodesAsTheyAre)
 {
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 167) };
