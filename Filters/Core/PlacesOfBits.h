@@ -30,6 +30,7 @@ struct PlacesOfBits
   }
 };
 
+/** The table. */
 inline constexpr PlacesOfBits BitPlaces{};
 }
 
