@@ -216,7 +216,6 @@ struct Avx2Ids
   }
 
 private:
-
   /** Stores eight ids, those whose bits are set first, and returns how many these are. */
   HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static int StoreSelected(
     __m256i ids, std::uint8_t selected, PointIndex* to)

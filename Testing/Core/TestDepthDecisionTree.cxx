@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthDecisionTree.h"
 
+#include "RandomHistogram.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
 using namespace hashedoctree;
 
@@ -63,16 +64,6 @@ int CountLooks(const DepthDecisionTree& tree, int leaf)
   }
   return looks;
 }
-
-DepthHistogram MakeHistogram(std::mt19937& random, std::size_t size)
-{
-  DepthHistogram histogram(size);
-  for (std::uint64_t& weight : histogram)
-  {
-    weight = random() % 3 == 0 ? 0 : random() % (1U << (random() % 20));
-  }
-  return histogram;
-}
 }
 
 TEST(TestDepthDecisionTree, NoBinarySearchTreeIsCheaper)
@@ -84,7 +75,7 @@ TEST(TestDepthDecisionTree, NoBinarySearchTreeIsCheaper)
     ASSERT_EQ(all.size(), (std::vector<std::size_t>{ 1, 1, 2, 5, 14, 42, 132 })[size]);
     for (int trial = 0; trial < 300; ++trial)
     {
-      const DepthHistogram histogram = MakeHistogram(random, static_cast<std::size_t>(size));
+      const DepthHistogram histogram = MakeRandomHistogram(random, static_cast<std::size_t>(size));
       double least = GetMean(histogram, all.front());
       for (const Costs& costs : all)
       {
@@ -101,7 +92,7 @@ TEST(TestDepthDecisionTree, DecisionsReachEveryDepthAtItsCost)
   std::mt19937 random(172);
   for (int trial = 0; trial < 500; ++trial)
   {
-    const DepthHistogram histogram = MakeHistogram(random, 1 + random() % 32);
+    const DepthHistogram histogram = MakeRandomHistogram(random, 1 + random() % 32);
     const DepthDecisionTree tree(histogram);
     Costs costs;
     for (int depth = 0; depth < 40; ++depth)
@@ -120,7 +111,7 @@ TEST(TestDepthDecisionTree, NoStartDepthIsCheaper)
   std::mt19937 random(173);
   for (int trial = 0; trial < 500; ++trial)
   {
-    const DepthHistogram histogram = MakeHistogram(random, 1 + random() % 32);
+    const DepthHistogram histogram = MakeRandomHistogram(random, 1 + random() % 32);
     const DepthDecisionTree tree(histogram);
     for (int startDepth = 0; startDepth < 32; ++startDepth)
     {

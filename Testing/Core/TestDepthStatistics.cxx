@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthStatistics.h"
 
+#include "RandomHistogram.h"
 #include "SampleTree.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <random>
 
 using namespace hashedoctree;
-
-namespace
-{
-/** A histogram as trees have them, or not: some depths empty, weights of any size. */
-DepthHistogram MakeHistogram(std::mt19937& random)
-{
-  DepthHistogram histogram(1 + random() % 22);
-  for (std::uint64_t& weight : histogram)
-  {
-    weight = random() % 3 == 0 ? 0 : random() % (1U << (random() % 20));
-  }
-  histogram.back() += 1;
-  return histogram;
-}
-}
 
 TEST(TestDepthStatistics, CostByHand)
 {
@@ -66,7 +51,8 @@ TEST(TestDepthStatistics, MedianCostsTheLeast)
   std::mt19937 random(81);
   for (int trial = 0; trial < 2000; ++trial)
   {
-    const DepthHistogram histogram = MakeHistogram(random);
+    DepthHistogram histogram = MakeRandomHistogram(random, 1 + random() % 22);
+    histogram.back() += 1;
     const int cheapest = GetCheapestStartDepth(histogram);
     for (int depth = 0; depth < 30; ++depth)
     {
