@@ -32,6 +32,7 @@ public:
     const NeighborCells<Dim> cover = this->Ball.GetCover();
     const Corner lower = this->Ball.GetLower(cover.Lower, cover.Depth);
     const double size = NodeBall<Dim>::GetSize(cover.Depth);
+    const NeighborCase kind = this->GetCase(cover.Depth + 1);
     Group cells;
     std::size_t count = 0;
     std::uint64_t internal = 0;
@@ -50,9 +51,8 @@ public:
         cell.Block = entry.Block;
         cell.Lower = NodeBall<Dim>::GetLowerOfOctant(lower, size, corner);
         this->Tree.PrefetchOctants(cell.Block);
-        const std::uint64_t inner =
-          this->ListLeaves(cell, entry, 0.5 * size, this->GetCase(cover.Depth + 1));
-        internal |= inner << (count * Key::NumberOfOctants);
+        internal |= std::uint64_t(this->ListLeaves(cell, entry, 0.5 * size, kind))
+          << (count * Key::NumberOfOctants);
         ++count;
       },
       [this](const FoundLeaf<Dim>& leaf)
