@@ -5,7 +5,7 @@
 #   Plugin/setup.sh                              the plugin and the Python package, in build/
 #   Plugin/setup.sh --vtk                        the library for Debian's own VTK, in build/vtk
 #   Plugin/setup.sh --sanitize address|thread    the tests with a sanitizer, in build/asan or build/tsan
-#   Plugin/setup.sh --fuzz                       the fuzzer, in build/fuzz
+#   Plugin/setup.sh --fuzz                       the fuzzers, in build/fuzz
 # Each of them with --tests, --benchmarks or both, in any order.
 set -euo pipefail
 

@@ -1,14 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sets everything up and looks for inputs on which the searches for points go wrong.
-#   Testing/fuzz.sh [SECONDS] [arguments of libFuzzer]     60 seconds by default
+# Sets everything up and looks for inputs on which searches go wrong: for leaves, then for points.
+#   Testing/fuzz.sh [SECONDS] [arguments of libFuzzer]     60 seconds for each by default
 # What is found of interest is kept in build/fuzz/corpus, what fails in build/fuzz.
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 build="$root/build/fuzz"
-program="$build/bin/FuzzPointSearch"
 
 seconds=60
 if [[ "${1:-}" =~ ^[0-9]+$ ]]; then
@@ -17,13 +16,16 @@ if [[ "${1:-}" =~ ^[0-9]+$ ]]; then
 fi
 
 "$root/Plugin/setup.sh" --fuzz
-mkdir -p "$build/corpus"
 start="$(mktemp)"
 trap 'rm -f "$start"' EXIT
-status=0
-"$program" -max_total_time="$seconds" -max_len=512 -timeout=20 -artifact_prefix="$build/" \
-  "$@" "$build/corpus" "$root/Testing/Fuzz/Corpus/PointSearch" || status=$?
-find "$build" -maxdepth 1 -newer "$start" \
-  \( -name 'crash-*' -o -name 'leak-*' -o -name 'oom-*' -o -name 'timeout-*' \) \
-  -printf "To replay: '$program' '%p'\n" >&2
-exit "$status"
+for search in LeafSearch PointSearch; do
+  program="$build/bin/Fuzz$search"
+  mkdir -p "$build/corpus/$search"
+  status=0
+  "$program" -max_total_time="$seconds" -max_len=512 -timeout=20 -artifact_prefix="$build/" \
+    "$@" "$build/corpus/$search" "$root/Testing/Fuzz/Corpus/$search" || status=$?
+  find "$build" -maxdepth 1 -newer "$start" \
+    \( -name 'crash-*' -o -name 'leak-*' -o -name 'oom-*' -o -name 'timeout-*' \) \
+    -printf "To replay: '$program' '%p'\n" >&2
+  [[ "$status" == 0 ]] || exit "$status"
+done

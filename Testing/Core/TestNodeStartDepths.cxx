@@ -4,6 +4,7 @@
 #include "AdjacentSearch.h"
 #include "BruteForceNeighbors.h"
 #include "Dimensions.h"
+#include "SampleTree.h"
 #include "Threads.h"
 
 using namespace hashedoctree;

@@ -21,8 +21,7 @@ class TestedSearch
 {
 public:
   TestedSearch(PointSpan<3, Real> points, const TreeProperties& properties)
-    : Tree(points, PointSelection<3>(points, {}, Execution()),
-        { properties.MaxPointsPerLeaf, properties.MaxDepth }, Execution())
+    : Tree(points, PointSelection<3>(points, {}, Execution()), properties.Options, Execution())
     , Search(this->Tree)
   {
     this->Tree.SetStartDepths(properties.StartDepths);

@@ -2,8 +2,8 @@
 #ifndef Testing_Support_BruteForceNeighbors_h
 #define Testing_Support_BruteForceNeighbors_h
 
+#include "ForEachNode.h"
 #include "NodeBox.h"
-#include "SampleTree.h"
 
 #include <algorithm>
 #include <cmath>
