@@ -4,10 +4,9 @@
 
 #include "BorderNumbers.h"
 #include "FuzzBytes.h"
+#include "FuzzPoints.h"
 #include "LeafQuery.h"
-#include "PointSelection.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,10 +30,7 @@ public:
     }
   }
 
-  hashedoctree::PointSpan<Dim, double> GetPoints() const
-  {
-    return { this->Coordinates.data(), this->Coordinates.size() / Dim };
-  }
+  hashedoctree::PointSpan<Dim, double> GetPoints() const { return this->Points.GetSpan(); }
   const std::vector<LeafQuery<Dim>>& GetQueries() const { return this->Queries; }
 
 private:
@@ -48,14 +44,14 @@ private:
     switch (byte % 8)
     {
       case 0:
-        this->AddPoint(this->template ReadRaw<std::uint8_t>());
+        this->Points.Add(this->template ReadRaw<std::uint8_t>());
         break;
       case 1:
-        this->AddPoint(this->template ReadRaw<std::uint32_t>());
+        this->Points.Add(this->template ReadRaw<std::uint32_t>());
         break;
       case 2:
       case 3:
-        this->AddPoint(this->ReadBeside(argument));
+        this->Points.Add(this->ReadBeside(argument));
         break;
       case 4:
         this->AddCloud(argument + 1);
@@ -66,33 +62,16 @@ private:
     }
   }
 
-  void AddPoint(const Position& x)
-  {
-    if (this->GetPoints().Count < MostPoints)
-    {
-      for (const double coordinate : x)
-      {
-        this->Coordinates.push_back(std::clamp(coordinate, 0.0, 1.0));
-      }
-    }
-  }
-
   /** Around an earlier point. */
   void AddCloud(unsigned count)
   {
-    const Position center = this->ReadPoint();
+    Position lower = this->ReadPoint();
     const double size = this->ReadSize();
-    std::uint32_t state = this->Bytes.ReadByte();
-    for (unsigned i = 0; i < count; ++i)
+    for (double& coordinate : lower)
     {
-      Position x = center;
-      for (double& coordinate : x)
-      {
-        state = state * 1664525U + 1013904223U;
-        coordinate += size * ((state >> 16) / 32768.0 - 1.0);
-      }
-      this->AddPoint(x);
+      coordinate -= size / 2;
     }
+    this->Points.AddCloud(lower, size, count, this->Bytes.ReadByte());
   }
 
   void ReadQuery(unsigned argument)
@@ -127,25 +106,19 @@ private:
    * meet the ball, and those just beyond it do not. */
   double ReadDistance(unsigned byte)
   {
-    double distance2 = 0.0;
-    for (int axis = 0; axis < Dim; ++axis)
+    double distance2 = byte * byte;
+    for (int axis = 1; axis < Dim; ++axis)
     {
-      distance2 += byte * byte;
-      byte = this->Bytes.ReadByte() % 16;
+      const unsigned halves = this->Bytes.ReadByte() % 16;
+      distance2 += halves * halves;
     }
     return std::sqrt(distance2);
   }
 
   /** An earlier point; the lower corner of the root where there is none. */
-  Position ReadPoint()
-  {
-    const std::size_t i = this->Bytes.ReadByte();
-    return this->Coordinates.empty()
-      ? Position{}
-      : hashedoctree::GetPosition<Dim>(this->GetPoints(), i % this->GetPoints().Count);
-  }
+  Position ReadPoint() { return this->Points.Get(this->Bytes.ReadByte(), {}); }
 
-  /** An earlier point, moved along an axis. */
+  /** An earlier point, moved along an axis; left out of the tree where it leaves the root. */
   Position ReadBeside(unsigned argument)
   {
     Position x = this->ReadPoint();
@@ -172,7 +145,7 @@ private:
   double ReadSize() { return std::ldexp(1.0, -this->ReadDepth()); }
 
   FuzzBytes& Bytes;
-  std::vector<double> Coordinates;
+  FuzzPoints<Dim, double> Points{ MostPoints };
   std::vector<LeafQuery<Dim>> Queries;
 };
 

@@ -4,6 +4,7 @@
 
 #include "BorderNumbers.h"
 #include "FuzzBytes.h"
+#include "FuzzPoints.h"
 #include "PointQuery.h"
 
 #include <algorithm>
@@ -34,10 +35,7 @@ public:
     }
   }
 
-  hashedoctree::PointSpan<3, Real> GetPoints() const
-  {
-    return { this->Coordinates.data(), this->Coordinates.size() / 3 };
-  }
+  hashedoctree::PointSpan<3, Real> GetPoints() const { return this->Points.GetSpan(); }
   const std::vector<PointQuery>& GetQueries() const { return this->Queries; }
 
 private:
@@ -50,10 +48,10 @@ private:
     switch (byte % 16)
     {
       case 0:
-        this->AddPoint(this->ReadNearby(this->Origin));
+        this->Points.Add(this->ReadNearby(this->Origin));
         break;
       case 1:
-        this->AddPoint(this->template ReadRaw<Real>());
+        this->Points.Add(this->template ReadRaw<Real>());
         break;
       case 2:
         this->AddCopies(this->ReadPoint(), argument + 1);
@@ -62,10 +60,11 @@ private:
         this->AddLattice(2 + argument % 4);
         break;
       case 4:
-        this->AddCloud(8 * (argument + 1));
+        this->Points.AddCloud(
+          this->Origin, this->Scale, 8 * (argument + 1), this->Bytes.ReadByte());
         break;
       case 5:
-        this->AddPoint(this->template ReadBeside<Real>(argument));
+        this->Points.Add(this->template ReadBeside<Real>(argument));
         break;
       case 6:
         this->Scale = GetScale(argument);
@@ -74,7 +73,7 @@ private:
         this->SetOrigin(argument);
         break;
       case 8:
-        this->AddPoint(this->ReadSpecial(argument));
+        this->Points.Add(this->ReadSpecial(argument));
         break;
       case 15:
         this->ReadBox(argument);
@@ -85,22 +84,11 @@ private:
     }
   }
 
-  void AddPoint(const Position& x)
-  {
-    if (this->GetPoints().Count < MostPoints)
-    {
-      for (const double coordinate : x)
-      {
-        this->Coordinates.push_back(ToReal<Real>(coordinate));
-      }
-    }
-  }
-
   void AddCopies(const Position& x, unsigned count)
   {
     for (unsigned i = 0; i < count; ++i)
     {
-      this->AddPoint(x);
+      this->Points.Add(x);
     }
   }
 
@@ -115,22 +103,7 @@ private:
       {
         x[axis] += this->Scale * steps[axis];
       }
-      this->AddPoint(x);
-    }
-  }
-
-  void AddCloud(unsigned count)
-  {
-    std::uint32_t state = this->Bytes.ReadByte();
-    for (unsigned i = 0; i < count; ++i)
-    {
-      Position x = this->Origin;
-      for (double& coordinate : x)
-      {
-        state = state * 1664525U + 1013904223U;
-        coordinate += this->Scale * (state >> 16) / 65536.0;
-      }
-      this->AddPoint(x);
+      this->Points.Add(x);
     }
   }
 
@@ -243,17 +216,7 @@ private:
   }
 
   /** An earlier point; the origin where there is none. */
-  Position ReadPoint()
-  {
-    const std::size_t i = this->Bytes.ReadByte();
-    Position x = this->Origin;
-    if (!this->Coordinates.empty())
-    {
-      const Real* point = this->GetPoints()[i % this->GetPoints().Count];
-      std::copy(point, point + 3, x.begin());
-    }
-    return x;
-  }
+  Position ReadPoint() { return this->Points.Get(this->Bytes.ReadByte(), this->Origin); }
 
   Position ReadNearby(Position x)
   {
@@ -306,21 +269,10 @@ private:
     return x;
   }
 
-  /** Where the value does not fit, a conversion to float would be undefined. */
-  template <typename Coordinate>
-  static Coordinate ToReal(double x)
-  {
-    using Limits = std::numeric_limits<Coordinate>;
-    constexpr double most = Limits::max();
-    return x > most ? Limits::infinity()
-      : x < -most   ? -Limits::infinity()
-                    : static_cast<Coordinate>(x);
-  }
-
   FuzzBytes& Bytes;
   double Scale = 1.0;
   Position Origin{};
-  std::vector<Real> Coordinates;
+  FuzzPoints<3, Real> Points{ MostPoints };
   std::vector<PointQuery> Queries;
 };
 
