@@ -43,7 +43,8 @@ file(READ "${BINARY_DIR}/compile_commands.json" compilations)
 string(JSON last LENGTH "${compilations}")
 math(EXPR last "${last} - 1")
 
-# Tests of one room, and other files that are compiled in the same way, go together.
+# Tests of one room, and other files that are compiled in the same way, go together; but for fuzzers,
+# all of which define one function.
 set(groups "")
 foreach (i RANGE ${last})
   string(JSON compilation GET "${compilations}" ${i})
@@ -54,6 +55,9 @@ foreach (i RANGE ${last})
   elseif (path MATCHES "^(Filters|Testing)/.*\\.cxx$")
     string(JSON command GET "${compilation}" command)
     string(REGEX REPLACE " -o .*" "" command "${command}")
+    if (path MATCHES "^Testing/Fuzz/")
+      string(APPEND command "${path}")
+    endif ()
     string(MD5 group "${command}")
   else ()
     continue()
