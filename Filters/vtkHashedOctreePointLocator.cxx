@@ -335,7 +335,7 @@ void vtkHashedOctreePointLocator::FillList(vtkIdList* result, const Find& find)
   }
   catch (const std::bad_alloc&)
   {
-    result->Reset();
+    result->Initialize(); // A list that could not grow may say that it did.
     vtkErrorMacro(<< NoMemoryForQuery);
   }
 }

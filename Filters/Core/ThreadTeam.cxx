@@ -106,7 +106,7 @@ void ThreadTeam::DoParts(std::unique_lock<std::mutex>& lock)
     lock.lock();
     if (error)
     {
-      this->Error = error;
+      this->Error = this->Error ? this->Error : error;
       this->Next = this->Last; // The rest is of no use.
     }
   }

@@ -156,6 +156,31 @@ TEST(TestThreadTeam, WhatIsThrownComesBack)
   }
 }
 
+TEST(TestThreadTeam, OfTwoErrorsTheFirstComesBack)
+{
+  std::atomic<int> begun{ 0 };
+  const auto failInTurns = [&begun](std::size_t, std::size_t)
+  {
+    const bool isFirst = begun++ == 0;
+    while (begun < 2)
+    {
+      std::this_thread::yield();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(isFirst ? 0 : 100));
+    throw std::runtime_error(isFirst ? "first" : "second");
+  };
+  try
+  {
+    ThreadTeam::Run(Execution(OnThreads(2)), 2,
+      [&failInTurns](const Execution& execution) { execution.For(2, 1, failInTurns); });
+    FAIL();
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_STREQ(error.what(), "first");
+  }
+}
+
 TEST(TestThreadTeam, AComputationMayGoOnAfterAnError)
 {
   std::atomic<int> parts{ 0 };

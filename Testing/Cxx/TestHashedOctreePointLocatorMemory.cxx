@@ -136,6 +136,26 @@ TEST_F(TestHashedOctreePointLocatorMemory, AQueryThatFindsTooMuchFindsNothing)
   }
 }
 
+TEST_F(TestHashedOctreePointLocatorMemory, AListThatCouldNotGrowIsOfUseAgain)
+{
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(60000, 267)));
+  const double x[3] = { 0.5, 0.5, 0.5 };
+  vtkNew<vtkIdList> list;
+  list->InsertNextId(7);
+  // The thread has room for as much already, so that it is the list that fails.
+  vtkNew<vtkIdList> first;
+  locator->FindPointsWithinRadius(9.0, x, first);
+  ASSERT_EQ(first->GetNumberOfIds(), 60000);
+  {
+    const NoMemory none;
+    locator->FindPointsWithinRadius(9.0, x, list);
+  }
+  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory"));
+  EXPECT_EQ(list->GetNumberOfIds(), 0);
+  locator->FindClosestNPoints(5, x, list);
+  EXPECT_EQ(list->GetNumberOfIds(), 5);
+}
+
 TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearchesFindTheSame)
 {
   TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 263)));
