@@ -3,6 +3,7 @@
 
 #include "AlgorithmExecution.h"
 #include "AlgorithmOptions.h"
+#include "PassFieldData.h"
 #include "PointsAdaptor.h"
 #include "QuadtreeFrame.h"
 #include "SkippedPoints.h"
@@ -108,7 +109,12 @@ OctreePass::Outputs OctreePass::Process(
     return {};
   }
   const std::optional<AnyPointsOctree> octree = this->Build(input, execution);
-  return octree ? makeOutputs(*octree, execution) : Outputs{};
+  Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};
+  for (vtkDataObject* output : outputs)
+  {
+    PassFieldData(input, output);
+  }
+  return outputs;
 }
 
 std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execution& execution)

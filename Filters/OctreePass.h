@@ -22,8 +22,8 @@ namespace hashedoctree
 /**
  * One pass of an algorithm over the point sets of its input: the input itself or, of a composite
  * one, each of its blocks. Builds the octree or quadtree of each and fills the targets with what a
- * function makes of it. Blocks without a point to use, and those of another kind, stay
- * empty. Private to the module.
+ * function makes of it, with the field data of the point set where it has none of that name. Blocks
+ * without a point to use, and those of another kind, stay empty. Private to the module.
  */
 class OctreePass
 {

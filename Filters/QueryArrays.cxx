@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QueryArrays.h"
 
-#include "LeafNumbers.h"
 #include "ResizeArray.h"
 
 #include "vtkDataSet.h"
@@ -48,12 +47,11 @@ public:
   using Comparison = SearchComparison<Dim>;
   using Costs = typename Comparison::Costs;
 
-  QuerySearch(
-    vtkDataSet* queries, const Octree<Dim>& tree, EmptyOctants reading, const Comparison& searches)
+  QuerySearch(vtkDataSet* queries, const Octree<Dim>& tree, const LeafNumbers<Dim>& numbers,
+    const Comparison& searches)
     : Tree(tree)
-    , Reading(reading)
+    , Numbers(numbers)
     , Searches(searches)
-    , Numbers(tree, reading)
     , Ids(AddPointArray<vtkIdTypeArray>(queries, "LeafId"))
     , Depths(AddPointArray<vtkIntArray>(queries, "LeafDepth"))
     , Keys(AddPointArray<vtkTypeUInt64Array>(queries, "LeafKey"))
@@ -76,8 +74,8 @@ public:
       return this->Set(query, -1, -1, MortonKey<Dim>(0), Costs{});
     }
     const MortonKey<Dim> key = this->Tree.GetGrid().GetKey(x.data());
-    const FoundLeaf<Dim> leaf =
-      FindLeaf(this->Tree, key, this->Searches.GetStartDepth(Comparison::Chosen), this->Reading);
+    const FoundLeaf<Dim> leaf = FindLeaf(this->Tree, key,
+      this->Searches.GetStartDepth(Comparison::Chosen), this->Numbers.GetReading());
     const vtkIdType id =
       leaf.Exists ? static_cast<vtkIdType>(this->Numbers.Get(this->Tree, leaf)) : -1;
     return this->Set(
@@ -99,9 +97,8 @@ private:
   }
 
   const Octree<Dim>& Tree;
-  EmptyOctants Reading;
+  const LeafNumbers<Dim>& Numbers;
   const Comparison& Searches;
-  LeafNumbers<Dim> Numbers;
   vtkIdTypeArray* Ids;
   vtkIntArray* Depths;
   vtkTypeUInt64Array* Keys;
@@ -111,12 +108,12 @@ private:
 
 template <int Dim>
 typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
-  const PointsAdaptor& points, const PointsOctree<Dim>& octree, EmptyOctants reading,
+  const PointsAdaptor& points, const PointsOctree<Dim>& octree, const LeafNumbers<Dim>& numbers,
   const SearchComparison<Dim>& searches, const Execution& execution)
 {
   using Costs = typename SearchComparison<Dim>::Costs;
   constexpr std::size_t chunkSize = 1024; // Queries that a thread does at a time.
-  const QuerySearch<Dim> search(queries, octree.Tree, reading, searches);
+  const QuerySearch<Dim> search(queries, octree.Tree, numbers, searches);
   Costs all{};
   points.Visit(
     [&](auto inSpace)
@@ -141,7 +138,8 @@ typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet*, const PointsAdaptor&,          \
-    const PointsOctree<Dim>&, EmptyOctants, const SearchComparison<Dim>&, const Execution&);
+    const PointsOctree<Dim>&, const LeafNumbers<Dim>&, const SearchComparison<Dim>&,               \
+    const Execution&);
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 #undef HASHEDOCTREE_INSTANTIATE

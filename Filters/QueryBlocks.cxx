@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QueryBlocks.h"
 
+#include "PassFieldData.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
@@ -9,6 +11,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
 #include "vtkTable.h"
 
 #include <stdexcept>
@@ -61,7 +64,8 @@ void ForEachBlock(vtkCompositeDataSet* composite, const Function& function)
 
 QueryBlocks::QueryBlocks(
   vtkDataObject* points, vtkDataObject* queries, vtkInformationVector* outputVector)
-  : Composite(vtkCompositeDataSet::SafeDownCast(queries))
+  : Points(points)
+  , Composite(vtkCompositeDataSet::SafeDownCast(queries))
   , IsNested(this->Composite != nullptr && vtkDataObjectTree::SafeDownCast(points) != nullptr)
   , Ports(OctreePass::GetPorts(outputVector))
 {
@@ -105,6 +109,12 @@ OctreePass::Targets QueryBlocks::GetTargets() const
                                     : OctreePass::Targets(this->Made.begin(), this->Made.end());
 }
 
+bool QueryBlocks::IsLocated(std::size_t block) const
+{
+  auto* located = vtkDataSet::SafeDownCast(this->Made[block * this->Ports.size()]);
+  return this->IsNested || located->GetNumberOfPoints() > 0;
+}
+
 void QueryBlocks::FillOutputs() const
 {
   if (this->Composite == nullptr)
@@ -123,13 +133,18 @@ void QueryBlocks::FillOutputs() const
     {
       output->CopyStructure(this->Composite);
     }
-    output->GetFieldData()->ShallowCopy(this->Composite->GetFieldData());
-    std::size_t target = port;
+    output->SetFieldData(vtkNew<vtkFieldData>()); // The structure brings what the queries have.
+    PassFieldData(this->Composite, output);
+    PassFieldData(this->Points, output);
+    std::size_t block = 0;
     ForEachBlock(this->Composite,
       [&](vtkCompositeDataIterator* place, vtkDataSet*)
       {
-        output->SetDataSet(place, this->Made[target]);
-        target += this->Ports.size();
+        if (this->IsLocated(block))
+        {
+          output->SetDataSet(place, this->Made[block * this->Ports.size() + port]);
+        }
+        ++block;
       });
   }
 }

@@ -32,12 +32,15 @@ public:
   /** For each block a target for each output port, which is composite where the points are. */
   OctreePass::Targets GetTargets() const;
 
-  /** Gives the outputs of composite queries their structure, with the targets in it. */
+  /** Gives the outputs of composite queries their structure, with the targets in it that were
+   * filled. */
   void FillOutputs() const;
 
 private:
   void AddBlock(vtkDataSet* block);
+  bool IsLocated(std::size_t block) const;
 
+  vtkDataObject* Points;
   vtkCompositeDataSet* Composite; ///< Null for one data set.
   bool IsNested;                  ///< Whether the targets are composite, too.
   OctreePass::Targets Ports;

@@ -32,7 +32,8 @@
  * (internal nodes and all leaves), NumberOfLeaves, NumberOfEmptyLeaves, DeepestDepth,
  * StartDepthLeaves, StartDepthPoints, StartDepthGrid (by the chosen StartDepthModel in each
  * frequency model), TreeBytes (the tree without the points and their order), BuildSeconds,
- * SkippedPoints (not finite, or too large), OutsidePoints (outside CustomBounds).
+ * SkippedPoints (not finite, or too large), OutsidePoints (outside CustomBounds). All outputs keep
+ * the field data of the input, but for arrays of these names.
  *
  * Output port 1, vtkTable, one row for each depth from 0 to the deepest: Depth, Leaves,
  * EmptyLeaves, Points, GridWeight (volume of the leaves, in a quadtree their area, in cells of the

@@ -15,6 +15,7 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
@@ -126,11 +127,14 @@ private:
   {
     OctreePass::Outputs outputs;
     this->FiniteQueries = 0;
+    const LeafNumbers<Dim> numbers(octree.Tree, GetReading(this->Self));
+    SearchComparison<Dim> searches(octree.Tree, GetStartDepthOptions<Dim>(this->Self));
     const double share = (1.0 - OctreePass::BuildShare) / static_cast<double>(blocks.size());
     double begin = OctreePass::BuildShare;
     for (vtkDataSet* block : blocks)
     {
-      const auto ofBlock = this->Locate(octree, block, execution.Part(begin, begin + share));
+      const auto ofBlock =
+        this->Locate(octree, numbers, searches, block, execution.Part(begin, begin + share));
       outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
       begin += share;
     }
@@ -142,8 +146,8 @@ private:
   }
 
   template <int Dim>
-  OctreePass::Outputs Locate(
-    const PointsOctree<Dim>& octree, vtkDataSet* queries, const Execution& execution)
+  OctreePass::Outputs Locate(const PointsOctree<Dim>& octree, const LeafNumbers<Dim>& numbers,
+    SearchComparison<Dim>& searches, vtkDataSet* queries, const Execution& execution)
   {
     using Comparison = SearchComparison<Dim>;
     const Octree<Dim>& tree = octree.Tree;
@@ -157,11 +161,15 @@ private:
       });
     this->FiniteQueries += CountQueries(depths);
 
-    const Comparison searches(tree, GetStartDepthOptions<Dim>(this->Self), depths);
+    searches.SetQueryDepths(depths);
     const auto located = vtk::TakeSmartPointer(queries->NewInstance());
     located->ShallowCopy(queries);
-    const typename Comparison::Costs costs = AddQueryArrays(
-      located, points, octree, GetReading(this->Self), searches, execution.Part(DepthsShare, 1.0));
+    if (located->GetFieldData() == nullptr)
+    {
+      located->SetFieldData(vtkNew<vtkFieldData>());
+    }
+    const typename Comparison::Costs costs =
+      AddQueryArrays(located, points, octree, numbers, searches, execution.Part(DepthsShare, 1.0));
 
     vtkFieldData* fieldData = located->GetFieldData();
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
@@ -169,6 +177,7 @@ private:
       fieldData, "MeanHitCost", GetMean(costs[Comparison::Chosen], depths));
     AddFieldValue<vtkIntArray>(
       fieldData, "BestStartDepth", searches.GetStartDepth(Comparison::BestForQueries));
+    AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
     vtkNew<vtkTable> table;
     this->FillTable(table, tree, searches, costs, depths);
     return { located, table };

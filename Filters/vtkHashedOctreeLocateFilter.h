@@ -19,8 +19,8 @@
  * ones), and of one that is no vtkPointSet (in input port 1, no vtkDataSet). Where both inputs are
  * composite, both outputs are vtkMultiBlockDataSets with the structure of the queries, in which
  * each block of queries is again one, with a block for each of the points; no other composite data
- * set may hold such blocks. Blocks keep their names, and composite queries their field data. Of AMR
- * queries the tables are a vtkMultiBlockDataSet; together with composite points they are an error.
+ * set may hold such blocks. Blocks keep their names. Of AMR queries the tables are a
+ * vtkMultiBlockDataSet; together with composite points they are an error.
  *
  * Output port 0, of the kind of the queries: the queries as they are, with point arrays, one value
  * per query (arrays of the same names are replaced):
@@ -41,7 +41,9 @@
  * -1, LeafDepth -1, LeafKey 0 and costs 0; one warning tells how many there are in all blocks, and
  * means leave them out (0 where no query is left). Field data, one value each: StartDepth (the
  * chosen one), MeanHitCost (over the queries), BestStartDepth (the one with the least mean cost for
- * these queries, the smallest of equals).
+ * these queries, the smallest of equals), SkippedPoints (of the tree: not finite, or too large).
+ * All outputs keep the field data of the points, and output 0, like a composite output of composite
+ * queries, that of the queries; of arrays of one name it keeps its own, then the queries'.
  *
  * Output port 1, vtkTable, a row for each way to search: Root, Median, Mean, Fixed (if chosen),
  * Local, Decision tree, Best for these queries (from BestStartDepth), and last Entropy bound, which
@@ -56,11 +58,12 @@
  * depths.
  *
  * Progress, abort, threads, points that are not finite, empty inputs and distributed data: as in
- * vtkHashedOctreeFilter; but the local start depths are chosen in one pass over the nodes, during
- * which no abort is heeded. Each tree is built once, whatever the number of blocks of queries. No
- * queries in any block, or none with finite coordinates, are an error, but for a piece of a
- * distributed data set. There every process searches for its own queries in the tree of its own
- * points; one without points gives nothing back, so bring the points to where the queries are.
+ * vtkHashedOctreeFilter; but leaves are numbered and local start depths chosen in passes over the
+ * nodes during which no abort is heeded. That, too, is done once for each tree, whatever the number
+ * of blocks of queries. No queries in any block, or none with finite coordinates, are an error, but
+ * for a piece of a distributed data set. There every process searches for its own queries in the
+ * tree of its own points; one without points gives nothing back, so bring the points to where the
+ * queries are.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h

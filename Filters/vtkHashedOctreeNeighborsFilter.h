@@ -36,7 +36,7 @@
  * NumberOfDescendedNeighbors, NumberOfAboveNeighbors (neighbours of each case), ExaminedNodes
  * (nodes that the search for the neighbours examined, as AdjacentSearch.h and InRadiusSearch.h
  * count them; what finding the query leaf itself costs is its HitCost), SkippedPoints (not finite,
- * or too large).
+ * or too large). The output keeps the field data of the input, but for arrays of these names.
  *
  * Points with a coordinate that is not finite or too large are left out with one warning. An input
  * without points, or without one that can be used, is an error, but for an empty piece of a

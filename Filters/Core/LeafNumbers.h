@@ -51,6 +51,7 @@ public:
       CountOctants(this->GetLeaves(tree.GetOctants(leaf.ParentBlock)) & before);
   }
 
+  EmptyOctants GetReading() const { return this->Reading; }
   std::size_t GetBytes() const { return this->First.GetBytes(); }
 
 private:

@@ -6,20 +6,33 @@
 namespace hashedoctree
 {
 template <int Dim>
-SearchComparison<Dim>::SearchComparison(
-  const Octree<Dim>& tree, const StartDepthOptions& options, const DepthHistogram& queryDepths)
+SearchComparison<Dim>::SearchComparison(const Octree<Dim>& tree, const StartDepthOptions& options)
   : Tree(tree)
   , Frequency(options.Frequency)
   , Decisions(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim))
 {
-  const auto start = [&tree, &options](StartDepthModel model, int fixed = 0) {
-    return StartDepths<Dim>(tree, { model, options.Frequency, fixed });
+  const auto start = [&tree, &options](StartDepthModel model) {
+    return StartDepths<Dim>(tree, { model, options.Frequency, 0 });
   };
   this->Starts[Chosen] = StartDepths<Dim>(tree, options);
   this->Starts[Median] = start(StartDepthModel::Median);
   this->Starts[Mean] = start(StartDepthModel::Mean);
   this->Starts[Local] = start(StartDepthModel::Local);
-  this->Starts[BestForQueries] = start(StartDepthModel::Fixed, GetMedianDepth(queryDepths));
+  for (std::size_t search = 0; search < NumberOfSearches; ++search)
+  {
+    this->PredictedMeans[search] = search == DecisionTree
+      ? this->Decisions.GetMeanCost()
+      : this->Starts[search].GetMeanCost(tree, options.Frequency);
+  }
+}
+
+template <int Dim>
+void SearchComparison<Dim>::SetQueryDepths(const DepthHistogram& queryDepths)
+{
+  StartDepths<Dim>& best = this->Starts[BestForQueries];
+  best = StartDepths<Dim>(
+    this->Tree, { StartDepthModel::Fixed, this->Frequency, GetMedianDepth(queryDepths) });
+  this->PredictedMeans[BestForQueries] = best.GetMeanCost(this->Tree, this->Frequency);
 }
 
 template <int Dim>
@@ -28,13 +41,6 @@ int SearchComparison<Dim>::GetStartDepth(Search search) const
   return search == Local     ? -1
     : search == DecisionTree ? this->Decisions.GetRootDepth()
                              : this->Starts[search].GetOfTree();
-}
-
-template <int Dim>
-double SearchComparison<Dim>::GetPredictedMean(Search search) const
-{
-  return search == DecisionTree ? this->Decisions.GetMeanCost()
-                                : this->Starts[search].GetMeanCost(this->Tree, this->Frequency);
 }
 
 template <int Dim>

@@ -14,7 +14,7 @@ namespace hashedoctree
  * Searches that differ in where they start, side by side: what each is predicted to cost in a
  * frequency model (paper section 4), and what it costs for a position, counted.
  *
- * Immutable; thread safe. The tree must outlive it.
+ * Const members are thread safe. The tree must outlive it.
  */
 template <int Dim>
 class SearchComparison
@@ -35,18 +35,20 @@ public:
   using Costs = std::array<std::uint64_t, NumberOfSearches>;
 
   /** `options` say where the chosen search starts, and their frequency model weighs the leaves for
-   * all others but the best one. `queryDepths` has a weight for each depth, from 0 to the tree's
-   * deepest, as MeasureQueryDepths() measures it. O(nodes). */
-  SearchComparison(
-    const Octree<Dim>& tree, const StartDepthOptions& options, const DepthHistogram& queryDepths);
+   * all others but the best one. O(nodes). */
+  SearchComparison(const Octree<Dim>& tree, const StartDepthOptions& options);
+
+  /** What BestForQueries is best for, which starts at the root until then: a weight for each depth,
+   * from 0 to the tree's deepest, as MeasureQueryDepths() measures it. O(depths). */
+  void SetQueryDepths(const DepthHistogram& queryDepths);
 
   /** The depth where a search starts; of the decision tree the depth that it looks at first. -1 of
    * Local, which has no single one. */
   int GetStartDepth(Search search) const;
 
   /** Mean number of nodes that a search examines, when leaves are searched for as the frequency
-   * model says. 0 where that has no weight. O(depths), of Local O(nodes). */
-  double GetPredictedMean(Search search) const;
+   * model says. 0 where that has no weight. */
+  double GetPredictedMean(Search search) const { return this->PredictedMeans[search]; }
 
   /** How many nodes each search for a position examines, given its key at MaxDepth. Every search is
    * made and counted; nothing comes from the cost model. */
@@ -57,6 +59,7 @@ private:
   FrequencyModel Frequency;
   std::array<StartDepths<Dim>, NumberOfSearches> Starts; ///< That of DecisionTree is not used.
   DepthDecisionTree Decisions;
+  std::array<double, NumberOfSearches> PredictedMeans;
 };
 }
 

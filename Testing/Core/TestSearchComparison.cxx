@@ -10,6 +10,15 @@ using namespace hashedoctree;
 namespace
 {
 template <int Dim>
+SearchComparison<Dim> MakeComparison(
+  const Octree<Dim>& tree, const StartDepthOptions& options, const DepthHistogram& queryDepths)
+{
+  SearchComparison<Dim> comparison(tree, options);
+  comparison.SetQueryDepths(queryDepths);
+  return comparison;
+}
+
+template <int Dim>
 std::vector<typename SearchComparison<Dim>::Search> GetSearches()
 {
   using Comparison = SearchComparison<Dim>;
@@ -38,7 +47,8 @@ TYPED_TEST(TestSearchComparison, EachSearchStartsWhereItsModelSays)
       const DepthHistogram histogram =
         GetDepthHistogram(made.Tree.GetDepthCounts(), frequency, dim);
       const DepthHistogram queries = made.Tree.GetDepthCounts().EmptyLeaves;
-      const Comparison comparison(made.Tree, { StartDepthModel::Fixed, frequency, 5 }, queries);
+      const auto comparison =
+        MakeComparison<dim>(made.Tree, { StartDepthModel::Fixed, frequency, 5 }, queries);
       EXPECT_EQ(comparison.GetStartDepth(Comparison::Chosen), 5);
       EXPECT_EQ(comparison.GetStartDepth(Comparison::Root), 0);
       EXPECT_EQ(comparison.GetStartDepth(Comparison::Median), GetMedianDepth(histogram));
@@ -50,7 +60,7 @@ TYPED_TEST(TestSearchComparison, EachSearchStartsWhereItsModelSays)
         comparison.GetStartDepth(Comparison::BestForQueries), GetCheapestStartDepth(queries));
       for (const auto model : { StartDepthModel::Median, StartDepthModel::Mean })
       {
-        const Comparison other(made.Tree, { model, frequency, 5 }, queries);
+        const auto other = MakeComparison<dim>(made.Tree, { model, frequency, 5 }, queries);
         EXPECT_EQ(other.GetStartDepth(Comparison::Chosen),
           other.GetStartDepth(
             model == StartDepthModel::Mean ? Comparison::Mean : Comparison::Median));
@@ -68,7 +78,7 @@ TYPED_TEST(TestSearchComparison, CountsAreTheModelledCostOfEachLeaf)
   for (const auto frequency :
     { FrequencyModel::Leaves, FrequencyModel::Points, FrequencyModel::Grid })
   {
-    const Comparison comparison(
+    const auto comparison = MakeComparison<dim>(
       made.Tree, { StartDepthModel::Fixed, frequency, 3 }, made.Tree.GetDepthCounts().EmptyLeaves);
     const StartDepths<dim> local(made.Tree, { StartDepthModel::Local, frequency, 0 });
     const DepthDecisionTree decisions(
@@ -103,7 +113,7 @@ TYPED_TEST(TestSearchComparison, PredictedMeansAreThoseOfCountedSearches)
     for (const auto frequency :
       { FrequencyModel::Leaves, FrequencyModel::Points, FrequencyModel::Grid })
     {
-      const Comparison comparison(
+      const auto comparison = MakeComparison<dim>(
         made.Tree, { StartDepthModel::Fixed, frequency, 2 }, made.Tree.GetDepthCounts().Points);
       std::array<long double, Comparison::NumberOfSearches> sums{};
       long double weights = 0.0L;
@@ -143,7 +153,7 @@ TYPED_TEST(TestSearchComparison, TheBestDepthCostsTheQueriesTheLeast)
   const auto depths = MeasureQueryDepths(made.Tree, queries.GetSpan(), Execution());
   const auto sum = [&](const StartDepthOptions& options, typename Comparison::Search search)
   {
-    const Comparison comparison(made.Tree, options, depths);
+    const auto comparison = MakeComparison<dim>(made.Tree, options, depths);
     std::uint64_t nodes = 0;
     for (std::size_t i = 0; i < queries.GetSpan().Count; ++i)
     {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FieldValue.h"
 #include "PointSamples.h"
 #include "SameOutputs.h"
 #include "TestedFilter.h"
@@ -6,6 +7,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
@@ -69,6 +71,41 @@ TEST(TestHashedOctreeFilterComposite, EachBlockOfAMultiBlockHasItsTree)
     EXPECT_EQ(innerOutput->GetBlock(0), nullptr);
     ExpectSame(innerOutput->GetBlock(1), outputsOfSecond[static_cast<std::size_t>(port)]);
   }
+}
+
+TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
+{
+  const auto block = MakeBlock(54);
+  hashedoctree::AddFieldValue<vtkIntArray>(block->GetFieldData(), "Survey", 77);
+  hashedoctree::AddFieldValue<vtkIntArray>(
+    block->GetFieldData(), "StartDepth", 77); // As the output of the filter has one.
+  vtkNew<vtkMultiBlockDataSet> composite;
+  composite->SetBlock(0, block);
+  hashedoctree::AddFieldValue<vtkIntArray>(composite->GetFieldData(), "Survey", 77);
+
+  TestedFilter single;
+  single->SetInputData(block);
+  single.Update();
+  TestedFilter many;
+  many->SetInputData(composite);
+  many.UpdateWithoutErrors();
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* blocks = GetOutput<vtkMultiBlockDataSet>(many, port);
+    for (vtkDataObject* output : { single->GetOutputDataObject(port), blocks->GetBlock(0),
+           GetOutput<vtkDataObject>(many, port) })
+    {
+      auto* array = output->GetFieldData()->GetArray("Survey");
+      ASSERT_NE(array, nullptr) << port;
+      EXPECT_EQ(array->GetTuple1(0), 77);
+    }
+  }
+  EXPECT_LT(single.GetFieldValue("StartDepth"), 77);
+  EXPECT_EQ(block->GetFieldData()->GetNumberOfArrays(), 2) << "the input is left alone";
+
+  block->SetFieldData(nullptr);
+  single.Update();
+  EXPECT_EQ(single->GetOutputDataObject(1)->GetFieldData()->GetNumberOfArrays(), 0);
 }
 
 TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)

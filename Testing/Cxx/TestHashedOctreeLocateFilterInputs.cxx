@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "FieldValue.h"
 #include "PointSamples.h"
 #include "SameOutputs.h"
 #include "TestedLocateFilter.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
@@ -156,6 +159,7 @@ TEST(TestHashedOctreeLocateFilterInputs, PointsThatAreNotFiniteAreLeftOut)
   filter.Update();
   ASSERT_EQ(filter.Warnings.size(), 1U);
   EXPECT_NE(filter.Warnings[0].find("1 of 3 points"), std::string::npos) << filter.Warnings[0];
+  EXPECT_EQ(filter.GetFieldValue("SkippedPoints"), 1);
 }
 
 TEST(TestHashedOctreeLocateFilterInputs, QueriesFarAwayAreInTheNearestLeaf)
@@ -229,10 +233,52 @@ TEST(TestHashedOctreeLocateFilterInputs, QueriesAreGivenBackWithAllThatTheyHave)
   EXPECT_STREQ(located->GetPointData()->GetScalars()->GetName(), "HitCost");
   EXPECT_EQ(located->GetCellData()->GetArray("OfCells"), ofCells);
   EXPECT_EQ(located->GetFieldData()->GetArray("Heat"), heat);
-  EXPECT_EQ(located->GetFieldData()->GetNumberOfArrays(), 4);
+  EXPECT_EQ(located->GetFieldData()->GetNumberOfArrays(), 5);
   EXPECT_EQ(queries->GetPointData()->GetNumberOfArrays(), 3) << "the input is left alone";
   EXPECT_EQ(queries->GetPointData()->GetArray("LeafId"), stale);
   EXPECT_EQ(queries->GetFieldData()->GetNumberOfArrays(), 1);
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, OutputsKeepTheFieldDataOfBothInputs)
+{
+  const auto points = MakeUniform(100, 353);
+  hashedoctree::AddFieldValue<vtkIntArray>(points->GetFieldData(), "OfPoints", 1);
+  hashedoctree::AddFieldValue<vtkIntArray>(points->GetFieldData(), "OfBoth", 1);
+  const auto queries = MakeUniform(20, 354);
+  hashedoctree::AddFieldValue<vtkIntArray>(queries->GetFieldData(), "OfBoth", 2);
+  TestedLocateFilter filter(points, queries);
+  filter.Update();
+  EXPECT_EQ(filter.GetFieldValue("OfPoints"), 1);
+  EXPECT_EQ(filter.GetFieldValue("OfBoth"), 2);
+  EXPECT_EQ(filter.GetTable()->GetFieldData()->GetArray("OfBoth")->GetTuple1(0), 1);
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, queries);
+  hashedoctree::AddFieldValue<vtkIntArray>(blocks->GetFieldData(), "OfBoth", 3);
+  TestedLocateFilter many(points, blocks);
+  many.UpdateWithoutErrors();
+  for (int port = 0; port < 2; ++port)
+  {
+    auto* output = many->GetOutputDataObject(port);
+    EXPECT_EQ(output->GetFieldData()->GetArray("OfPoints")->GetTuple1(0), 1);
+    EXPECT_EQ(output->GetFieldData()->GetArray("OfBoth")->GetTuple1(0), 3);
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, QueriesNeedNoFieldData)
+{
+  const auto points = MakeUniform(100, 355);
+  const auto queries = MakeUniform(20, 356);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, queries);
+  queries->SetFieldData(nullptr);
+  blocks->SetFieldData(nullptr);
+  TestedLocateFilter filter(points, queries);
+  filter.Update();
+  EXPECT_GT(filter.GetFieldValue("MeanHitCost"), 0);
+  EXPECT_EQ(queries->GetFieldData(), nullptr) << "the input is left alone";
+  TestedLocateFilter many(points, blocks);
+  many.UpdateWithoutErrors();
 }
 
 TEST(TestHashedOctreeLocateFilterInputs, ReplacedArraysLoseTheirRole)
