@@ -8,6 +8,7 @@
 #include "InRadiusSearch.h"
 #include "OctreeCells.h"
 #include "OctreePass.h"
+#include "ResizeArray.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
@@ -17,7 +18,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -29,6 +32,12 @@ vtkStandardNewMacro(vtkHashedOctreeNeighborsFilter);
 
 namespace
 {
+/** Shares of the progress of one tree: where each step ends. The rest is for Role and Case. */
+constexpr double ListShare = 0.35;
+constexpr double CellsShare = 0.95;
+
+constexpr std::size_t ChunkSize = 8192; // Neighbours that a thread does at a time.
+
 template <int Dim>
 using Node = typename Octree<Dim>::Node;
 template <int Dim>
@@ -49,36 +58,53 @@ int GetCase(NeighborCase neighborCase)
 
 /** The query leaf, then its neighbours. */
 template <int Dim>
-Buffer<Node<Dim>> ListNodes(
-  const Octree<Dim>& tree, const Node<Dim>& query, const Neighbors<Dim>& neighbors)
+Buffer<Node<Dim>> ListNodes(const Octree<Dim>& tree, const Node<Dim>& query,
+  const Neighbors<Dim>& neighbors, const Execution& execution)
 {
   Buffer<Node<Dim>> nodes(1 + neighbors.size());
   nodes[0] = query;
-  for (std::size_t i = 0; i < neighbors.size(); ++i)
-  {
-    nodes[1 + i] = tree.GetChild(neighbors[i].ParentBlock, neighbors[i].Key.GetOctant());
-  }
+  execution.For(neighbors.size(), ChunkSize,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        nodes[1 + i] = tree.GetChild(neighbors[i].ParentBlock, neighbors[i].Key.GetOctant());
+      }
+    });
   return nodes;
 }
 
 /** Cell arrays Role and Case (active), and the number of neighbours of each case. */
 template <int Dim>
-void AddNeighborArrays(vtkUnstructuredGrid* output, const Neighbors<Dim>& neighbors)
+void AddNeighborArrays(
+  vtkUnstructuredGrid* output, const Neighbors<Dim>& neighbors, const Execution& execution)
 {
   using Filter = vtkHashedOctreeNeighborsFilter;
+  using Counts = std::array<vtkIdType, 4>;
   vtkNew<vtkIntArray> roles;
   roles->SetName("Role");
-  roles->InsertNextValue(Filter::Query);
+  ResizeArray(roles.Get(), 1 + neighbors.size());
+  roles->SetValue(0, Filter::Query);
   vtkNew<vtkIntArray> cases;
   cases->SetName("Case");
-  cases->InsertNextValue(Filter::QueryLeaf);
-  std::array<vtkIdType, 4> counts{};
-  for (const auto& neighbor : neighbors)
+  ResizeArray(cases.Get(), 1 + neighbors.size());
+  cases->SetValue(0, Filter::QueryLeaf);
+  std::vector<Counts> ofChunks(Execution::GetNumberOfChunks(neighbors.size(), ChunkSize));
+  execution.ForChunks(neighbors.size(), ChunkSize,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
+    {
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const int neighborCase = GetCase(neighbors[i].Case);
+        roles->SetValue(static_cast<vtkIdType>(1 + i), Filter::Neighbor);
+        cases->SetValue(static_cast<vtkIdType>(1 + i), neighborCase);
+        ++ofChunks[chunk][static_cast<std::size_t>(neighborCase)];
+      }
+    });
+  Counts counts{};
+  for (const Counts& ofChunk : ofChunks)
   {
-    const int neighborCase = GetCase(neighbor.Case);
-    roles->InsertNextValue(Filter::Neighbor);
-    cases->InsertNextValue(neighborCase);
-    ++counts[static_cast<std::size_t>(neighborCase)];
+    std::transform(counts.begin(), counts.end(), ofChunk.begin(), counts.begin(), std::plus<>());
   }
   output->GetCellData()->AddArray(roles);
   output->GetCellData()->AddArray(cases);
@@ -143,10 +169,11 @@ public:
     }
 
     vtkNew<vtkUnstructuredGrid> cells;
-    const Buffer<Node<Dim>> nodes = ListNodes<Dim>(tree, *query, neighbors);
+    const Buffer<Node<Dim>> nodes =
+      ListNodes<Dim>(tree, *query, neighbors, execution.Part(OctreePass::BuildShare, ListShare));
     OctreeCells<Dim>(tree, startDepth, nodes, octree.Frame)
-      .MakeVoxels(cells, execution.Part(OctreePass::BuildShare, 1.0));
-    AddNeighborArrays<Dim>(cells, neighbors);
+      .MakeVoxels(cells, execution.Part(ListShare, CellsShare));
+    AddNeighborArrays<Dim>(cells, neighbors, execution.Part(CellsShare, 1.0));
     AddFieldValue<vtkIntArray>(cells->GetFieldData(), "StartDepth", startDepth);
     AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "ExaminedNodes", examined.Nodes);
     AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "SkippedPoints", octree.SkippedPoints);
