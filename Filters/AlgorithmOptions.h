@@ -38,13 +38,6 @@ inline EmptyOctants GetReading(vtkHashedOctreeAlgorithm* algorithm)
 {
   return algorithm->GetIncludeEmptyLeaves() ? EmptyOctants::Leaves : EmptyOctants::Missing;
 }
-
-/** Where searches in a tree start. */
-template <int Dim>
-int GetStartDepth(const Octree<Dim>& tree, const StartDepthOptions& options)
-{
-  return GetStartDepth(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim), options);
-}
 }
 
 #endif

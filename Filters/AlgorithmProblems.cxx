@@ -5,7 +5,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
-#include "vtkInformationVector.h"
 
 #include <exception>
 #include <new>

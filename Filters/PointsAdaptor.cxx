@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointsAdaptor.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
+#include "vtkAOSDataArrayTemplate.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 

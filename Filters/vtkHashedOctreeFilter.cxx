@@ -8,10 +8,10 @@
 #include "OctreeCells.h"
 #include "OctreePass.h"
 #include "OctreeTables.h"
+#include "StartDepths.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

@@ -25,7 +25,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -68,15 +67,9 @@ void SetTimesOfBoth(vtkInformation* first, vtkInformation* second, vtkInformatio
   }
 }
 
-/** How many queries a histogram of their depths counts. */
-std::uint64_t CountQueries(const DepthHistogram& depths)
-{
-  return std::accumulate(depths.begin(), depths.end(), std::uint64_t(0));
-}
-
 double GetMean(std::uint64_t sum, const DepthHistogram& depths)
 {
-  const std::uint64_t count = CountQueries(depths);
+  const std::uint64_t count = GetTotal(depths);
   return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : 0.0;
 }
 }
@@ -159,7 +152,7 @@ private:
         depths = MeasureQueryDepths(
           tree, Project(span, octree.Frame), execution.Part(QueriesShare, DepthsShare));
       });
-    this->FiniteQueries += CountQueries(depths);
+    this->FiniteQueries += GetTotal(depths);
 
     searches.SetQueryDepths(depths);
     const auto located = vtk::TakeSmartPointer(queries->NewInstance());

@@ -9,10 +9,10 @@
 #include "OctreeCells.h"
 #include "OctreePass.h"
 #include "ResizeArray.h"
+#include "StartDepths.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -47,7 +47,7 @@ int GetCase(NeighborCase neighborCase)
 {
   switch (neighborCase)
   {
-    case NeighborCase::Leaf:
+    case NeighborCase::SameDepth:
       return vtkHashedOctreeNeighborsFilter::SameDepth;
     case NeighborCase::Descended:
       return vtkHashedOctreeNeighborsFilter::Descended;

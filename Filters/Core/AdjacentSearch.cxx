@@ -71,7 +71,7 @@ private:
     this->Tree.PrefetchChildren(parentKey, entry.Internal & touching);
     const unsigned others =
       across == 0 ? touching & ~(1U << own) : touching; // Not the node itself.
-    this->SearchOctants(parentKey, entry, others, NeighborCase::Leaf,
+    this->SearchOctants(parentKey, entry, others, NeighborCase::SameDepth,
       [this, parentKey, across, own](unsigned octant)
       {
         // Across the border of the node's own parent a step up leads to a lower octant.

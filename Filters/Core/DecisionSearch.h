@@ -24,12 +24,8 @@ FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key,
   int depth = decisions.GetRootDepth();
   const auto found = [&](std::uint32_t block, bool occupied)
   {
-    const int start = decisions.GetRootDepth();
-    const SearchCase searchCase = depth == start ? SearchCase::Hit
-      : depth < start                            ? SearchCase::Up
-                                                 : SearchCase::Down;
-    return FoundLeaf<Dim>{ key.AtDepth(depth), block, searchCase,
-      occupied || reading == EmptyOctants::Leaves };
+    return FoundLeaf<Dim>{ key.AtDepth(depth), block,
+      GetSearchCase(depth, decisions.GetRootDepth()), occupied || reading == EmptyOctants::Leaves };
   };
   for (;;)
   {

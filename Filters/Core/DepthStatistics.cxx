@@ -7,12 +7,9 @@
 
 namespace hashedoctree
 {
-namespace
-{
 std::uint64_t GetTotal(const DepthHistogram& histogram)
 {
   return std::accumulate(histogram.begin(), histogram.end(), std::uint64_t(0));
-}
 }
 
 DepthHistogram GetDepthHistogram(const DepthCounts& counts, FrequencyModel model, int dimension)

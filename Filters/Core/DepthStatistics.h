@@ -58,6 +58,9 @@ struct DepthCounts
  */
 DepthHistogram GetDepthHistogram(const DepthCounts& counts, FrequencyModel model, int dimension);
 
+/** The weight of all depths together. */
+std::uint64_t GetTotal(const DepthHistogram& histogram);
+
 /**
  * Mean number of nodes that a direct search examines when it starts at `startDepth`: a leaf at
  * depth l costs 1 + |l - startDepth| (paper section 4, with the weights normalised, E7). Any start

@@ -18,6 +18,14 @@ enum class SearchCase
   Up    ///< Case 3: it does not exist; the leaf lies higher.
 };
 
+/** The case of a search from a start depth that ends at a depth. */
+constexpr SearchCase GetSearchCase(int depth, int startDepth)
+{
+  return depth == startDepth ? SearchCase::Hit
+    : depth < startDepth     ? SearchCase::Up
+                             : SearchCase::Down;
+}
+
 /** The leaf of a position, or the empty cell that a sparse tree has in its place. */
 template <int Dim>
 struct FoundLeaf
@@ -115,10 +123,7 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
     count.AddNode();
     octant = key.AtDepth(depth).GetOctant();
   }
-  return { key.AtDepth(depth), parent->Block,
-    depth == startDepth    ? SearchCase::Hit
-      : depth < startDepth ? SearchCase::Up
-                           : SearchCase::Down,
+  return { key.AtDepth(depth), parent->Block, GetSearchCase(depth, startDepth),
     (parent->Occupied >> octant & 1U) != 0 || reading == EmptyOctants::Leaves };
 }
 

@@ -32,7 +32,7 @@ DynamicOctree<Dim>::DynamicOctree(const Grid<Dim>& grid, const Options& options)
 template <int Dim>
 bool DynamicOctree<Dim>::Insert(std::uint32_t id, const Position<Dim>& x)
 {
-  const Key cell = this->GetCell(x);
+  const Key key = this->GetKey(x);
   if (id == NoPoint)
   {
     throw std::invalid_argument("The id of a point must be smaller.");
@@ -43,7 +43,7 @@ bool DynamicOctree<Dim>::Insert(std::uint32_t id, const Position<Dim>& x)
   }
   const int startDepth = this->GetStartDepth(FrequencyModel::Points);
   this->MakeRoom(id);
-  this->Add(id, cell, startDepth);
+  this->Add(id, key, startDepth);
   return true;
 }
 
@@ -61,26 +61,26 @@ bool DynamicOctree<Dim>::Erase(std::uint32_t id)
 template <int Dim>
 bool DynamicOctree<Dim>::Move(std::uint32_t id, const Position<Dim>& x)
 {
-  const Key cell = this->GetCell(x);
+  const Key key = this->GetKey(x);
   if (!this->HasPoint(id))
   {
     return false;
   }
   const int startDepth = this->GetStartDepth(FrequencyModel::Points);
-  const Key leaf = FindLeaf(*this, this->Points[id].Cell, startDepth).Key;
-  if (cell.AtDepth(leaf.GetDepth()) == leaf)
+  const Key leaf = FindLeaf(*this, this->Points[id].PointKey, startDepth).Key;
+  if (key.AtDepth(leaf.GetDepth()) == leaf)
   {
-    this->Points[id].Cell = cell;
+    this->Points[id].PointKey = key;
     return true;
   }
   this->MakeRoom(id);
   this->Remove(id, startDepth);
-  this->Add(id, cell, startDepth);
+  this->Add(id, key, startDepth);
   return true;
 }
 
 template <int Dim>
-typename DynamicOctree<Dim>::Key DynamicOctree<Dim>::GetCell(const Position<Dim>& x) const
+typename DynamicOctree<Dim>::Key DynamicOctree<Dim>::GetKey(const Position<Dim>& x) const
 {
   if (!IsFinite(x))
   {
@@ -108,12 +108,12 @@ void DynamicOctree<Dim>::MakeRoom(std::uint32_t id)
 }
 
 template <int Dim>
-void DynamicOctree<Dim>::Add(std::uint32_t id, Key cell, int startDepth)
+void DynamicOctree<Dim>::Add(std::uint32_t id, Key key, int startDepth)
 {
-  const FoundLeaf<Dim> leaf = FindLeaf(*this, cell, startDepth, EmptyOctants::Missing);
+  const FoundLeaf<Dim> leaf = FindLeaf(*this, key, startDepth, EmptyOctants::Missing);
   int depth = leaf.Key.GetDepth();
   std::uint32_t parent = leaf.ParentBlock;
-  this->Points[id].Cell = cell;
+  this->Points[id].PointKey = key;
   this->Link(id, parent, leaf.Key.GetOctant());
   ++this->NumberOfPoints;
   ++this->Counts.Points[static_cast<std::size_t>(depth)];
@@ -125,7 +125,7 @@ void DynamicOctree<Dim>::Add(std::uint32_t id, Key cell, int startDepth)
   // Only the child that the new point is in can be too full in its turn.
   for (; depth < this->TreeOptions.MaxDepth; ++depth)
   {
-    const Key node = cell.AtDepth(depth);
+    const Key node = key.AtDepth(depth);
     if (this->FitInLeaf(&this->Blocks[parent].Children[node.GetOctant()], 1))
     {
       break;
@@ -137,11 +137,11 @@ void DynamicOctree<Dim>::Add(std::uint32_t id, Key cell, int startDepth)
 template <int Dim>
 void DynamicOctree<Dim>::Remove(std::uint32_t id, int startDepth)
 {
-  const FoundLeaf<Dim> leaf = FindLeaf(*this, this->Points[id].Cell, startDepth);
+  const FoundLeaf<Dim> leaf = FindLeaf(*this, this->Points[id].PointKey, startDepth);
   const auto depth = static_cast<std::size_t>(leaf.Key.GetDepth());
   std::uint32_t parent = leaf.ParentBlock;
   this->Unlink(id, parent, leaf.Key.GetOctant());
-  this->Points[id].Cell = Key(0);
+  this->Points[id].PointKey = Key(0);
   --this->NumberOfPoints;
   --this->Counts.Points[depth];
   if ((this->Blocks[parent].Occupied >> leaf.Key.GetOctant() & 1U) == 0)
@@ -172,7 +172,7 @@ std::uint32_t DynamicOctree<Dim>::Split(Key node, std::uint32_t parent)
   for (std::uint32_t id = child; id != NoPoint; ++numberOfPoints)
   {
     const std::uint32_t next = this->Points[id].Next;
-    this->Link(id, block, this->Points[id].Cell.AtDepth(node.GetDepth() + 1).GetOctant());
+    this->Link(id, block, this->Points[id].PointKey.AtDepth(node.GetDepth() + 1).GetOctant());
     id = next;
   }
   child = block;

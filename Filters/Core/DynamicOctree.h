@@ -72,7 +72,7 @@ public:
 
   bool HasPoint(std::uint32_t id) const
   {
-    return id < this->Points.size() && this->Points[id].Cell != Key(0);
+    return id < this->Points.size() && this->Points[id].PointKey != Key(0);
   }
   std::size_t GetNumberOfPoints() const { return this->NumberOfPoints; }
 
@@ -124,17 +124,17 @@ public:
 private:
   static constexpr std::uint32_t AboveRoot = 0; ///< Also what FoundLeaf has for the root.
 
-  /** A point in the list of its leaf. Key 0 is the cell of ids that no point has. */
+  /** A point in the list of its leaf. Key 0 is that of ids that no point has. */
   struct Point
   {
-    Key Cell; ///< At MortonKey::MaxDepth.
+    Key PointKey; ///< At MortonKey::MaxDepth.
     std::uint32_t Next;
     std::uint32_t Previous;
   };
 
-  Key GetCell(const Position<Dim>& x) const;
+  Key GetKey(const Position<Dim>& x) const;
   void MakeRoom(std::uint32_t id);
-  void Add(std::uint32_t id, Key cell, int startDepth);
+  void Add(std::uint32_t id, Key key, int startDepth);
   void Remove(std::uint32_t id, int startDepth);
 
   std::uint32_t Split(Key node, std::uint32_t parent);

@@ -146,7 +146,7 @@ private:
 
   NeighborCase GetCase(int depth) const
   {
-    static constexpr NeighborCase cases[] = { NeighborCase::Above, NeighborCase::Leaf,
+    static constexpr NeighborCase cases[] = { NeighborCase::Above, NeighborCase::SameDepth,
       NeighborCase::Descended };
     return cases[static_cast<int>(depth >= this->Depth) + static_cast<int>(depth > this->Depth)];
   }

@@ -12,7 +12,7 @@ namespace hashedoctree
  * in the tree, beside the depth of that node. */
 enum class NeighborCase
 {
-  Leaf,      ///< Case 1: at the same depth.
+  SameDepth, ///< Case 1: at the same depth.
   Descended, ///< Case 2: deeper, below a node of the same depth.
   Above      ///< Case 3: higher; no node of the same depth is there.
 };

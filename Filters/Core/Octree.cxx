@@ -5,8 +5,6 @@
 #include "OctreeBuilder.h"
 #include "PlaneSpan.h"
 
-#include <numeric>
-
 namespace hashedoctree
 {
 template <int Dim>
@@ -30,16 +28,14 @@ Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const O
 template <int Dim>
 std::size_t Octree<Dim>::GetNumberOfLeaves(EmptyOctants reading) const
 {
-  const std::size_t all =
-    std::accumulate(this->Counts.Leaves.begin(), this->Counts.Leaves.end(), std::size_t(0));
+  const std::size_t all = GetTotal(this->Counts.Leaves);
   return reading == EmptyOctants::Leaves ? all : all - this->GetNumberOfEmptyLeaves();
 }
 
 template <int Dim>
 std::size_t Octree<Dim>::GetNumberOfEmptyLeaves() const
 {
-  return std::accumulate(
-    this->Counts.EmptyLeaves.begin(), this->Counts.EmptyLeaves.end(), std::size_t(0));
+  return GetTotal(this->Counts.EmptyLeaves);
 }
 
 template <int Dim>

@@ -72,6 +72,17 @@ private:
   const PointIndex* Id = nullptr;
 };
 
+/** Adds the points of the mask to those that were found. */
+inline void Append(
+  const double* dist2, std::uint64_t within, const PointIndex* ids, std::vector<FoundPoint>& found)
+{
+  for (; within != 0; within &= within - 1)
+  {
+    const int i = __builtin_ctzll(within);
+    found.push_back({ dist2[i], ids[i] });
+  }
+}
+
 /** The closest so far, any number of them, among others: when these are half as many, all farther
  * ones are dropped, so that each point takes O(1) on average. */
 class ClosestMany
@@ -94,11 +105,7 @@ public:
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
   void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t)
   {
-    for (; within != 0; within &= within - 1)
-    {
-      const int i = __builtin_ctzll(within);
-      this->Found.push_back({ dist2[i], ids[i] });
-    }
+    Append(dist2, within, ids, this->Found);
     if (this->Found.size() >= this->Most)
     {
       this->DropFarther();
@@ -147,11 +154,7 @@ public:
   static constexpr bool NeedsIds() { return true; }
   void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t)
   {
-    for (; within != 0; within &= within - 1)
-    {
-      const int i = __builtin_ctzll(within);
-      this->Found.push_back({ dist2[i], ids[i] });
-    }
+    Append(dist2, within, ids, this->Found);
   }
 
 private:

@@ -51,7 +51,7 @@ typename PointSelection<Dim>::Census PointSelection<Dim>::Count(
   for (std::size_t i = first; i < last; ++i)
   {
     const auto x = points[i];
-    if (!IsFinite(x))
+    if (!CanBePlaced(x))
     {
       ++census.Skipped;
     }

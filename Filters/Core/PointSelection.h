@@ -76,9 +76,9 @@ public:
   /** The given box, or the box around the kept points; Box's default when there are none. */
   const Box<Dim>& GetBox() const { return this->Bounds; }
   std::size_t GetNumberOfPoints() const { return this->FirstOfChunk.back(); }
-  /** Points left out because a coordinate is not finite. */
+  /** Points left out because a coordinate is not finite or is beyond Grid::MaxCoordinate. */
   std::size_t GetNumberOfSkippedPoints() const { return this->Skipped; }
-  /** Finite points left out because they are outside the given box. */
+  /** Other points left out because they are outside the given box. */
   std::size_t GetNumberOfOutsidePoints() const { return this->Outside; }
   /** How many points are kept before those of this chunk. */
   std::size_t GetFirstOfChunk(std::size_t chunk) const { return this->FirstOfChunk[chunk]; }
@@ -89,7 +89,7 @@ public:
   template <typename Coordinates>
   bool Keeps(const Coordinates& x) const
   {
-    return IsFinite(x) && (!this->HasBox || this->IsInBox(x));
+    return CanBePlaced(x) && (!this->HasBox || this->IsInBox(x));
   }
 
 private:
@@ -101,15 +101,15 @@ private:
   Census Count(Points points, std::size_t first, std::size_t last) const;
 
   template <typename Coordinates>
-  static bool IsFinite(const Coordinates& x)
+  static bool CanBePlaced(const Coordinates& x)
   {
-    bool finite = true;
+    bool canBe = true;
     for (int axis = 0; axis < Dim; ++axis)
     {
       // False for NaN, too.
-      finite &= std::abs(static_cast<double>(x[axis])) <= Grid<Dim>::MaxCoordinate;
+      canBe &= std::abs(static_cast<double>(x[axis])) <= Grid<Dim>::MaxCoordinate;
     }
-    return finite;
+    return canBe;
   }
   template <typename Coordinates>
   bool IsInBox(const Coordinates& x) const

@@ -17,8 +17,8 @@ namespace hashedoctree
  * The input may go away once the tree is built.
  *
  * Nested trees: keys end at MortonKey::MaxDepth, and a leaf there may hold any number of points.
- * One that holds four times MaxPointsPerLeaf and more, not all at one place, gets a tree of its own
- * in its own box, with the same options, so that no search is linear in the number of points unless
+ * One that holds more than GetMostInLeaf(), not all at one place, gets a tree of its own in its own
+ * box, with the same options, so that no search is linear in the number of points unless
  * they coincide. (Not where the options ask for less depth: then the leaves are as large as was
  * asked for.)
  *

@@ -33,8 +33,7 @@ void ForEachLeaf(const Octree<Dim>& tree, FrequencyModel frequency, const Functi
 
 template <int Dim>
 StartDepths<Dim>::StartDepths(const Octree<Dim>& tree, const StartDepthOptions& options)
-  : Everywhere(
-      GetStartDepth(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim), options))
+  : Everywhere(GetStartDepth(tree, options))
 {
   if (options.Model == StartDepthModel::Local)
   {

@@ -10,6 +10,13 @@
 
 namespace hashedoctree
 {
+/** The one start depth that a model has for a whole tree. O(depths). */
+template <int Dim>
+int GetStartDepth(const Octree<Dim>& tree, const StartDepthOptions& options)
+{
+  return GetStartDepth(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim), options);
+}
+
 /**
  * Where direct searches in a tree start, by position. All models but Local have one start depth for
  * the whole tree. Local has one for each cell of a coarse grid, the weighted median of the leaves

@@ -134,7 +134,7 @@ TYPED_TEST(TestAdjacentSearch, TheDeepestLeavesHaveTheirSiblings)
       {
         FindAdjacentLeaves(made.Tree, leaf.NodeKey, 0, found);
         EXPECT_GE(std::count_if(found.begin(), found.end(),
-                    [](const auto& neighbor) { return neighbor.Case == NeighborCase::Leaf; }),
+                    [](const auto& neighbor) { return neighbor.Case == NeighborCase::SameDepth; }),
           (1 << dim) - 1);
       }
     });
@@ -229,7 +229,7 @@ TEST(TestAdjacentSearchFacts, CasesAndOrder)
     }
     EXPECT_EQ(listed, expected);
   };
-  constexpr auto leaf = NeighborCase::Leaf;
+  constexpr auto leaf = NeighborCase::SameDepth;
   constexpr auto descended = NeighborCase::Descended;
   constexpr auto above = NeighborCase::Above;
   // Of top-left: the leaves along the top of bottom-left come first.

@@ -162,7 +162,7 @@ TEST(TestInRadiusSearchFacts, CasesAndOrder)
     }
     EXPECT_EQ(listed, expected);
   };
-  constexpr auto leaf = NeighborCase::Leaf;
+  constexpr auto leaf = NeighborCase::SameDepth;
   constexpr auto descended = NeighborCase::Descended;
   constexpr auto above = NeighborCase::Above;
   // Around (3, 1), the middle of [2, 4] x [0, 2].

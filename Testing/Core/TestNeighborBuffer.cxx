@@ -62,7 +62,7 @@ TYPED_TEST(TestNeighborBuffer, TakesAnyNumberOfLeavesOneByOne)
   NeighborBuffer<dim> buffer(found);
   for (std::uint32_t block = 0; block < 1000; ++block)
   {
-    buffer.Add({ MortonKey<dim>(1 + block), block, NeighborCase::Leaf });
+    buffer.Add({ MortonKey<dim>(1 + block), block, NeighborCase::SameDepth });
   }
   buffer.Flush();
   ASSERT_EQ(found.size(), 1000U);

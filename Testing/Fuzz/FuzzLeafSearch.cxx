@@ -146,7 +146,7 @@ private:
   NeighborCase GetCase(Key neighbor) const
   {
     const int deeper = neighbor.GetDepth() - this->Node.GetDepth();
-    return deeper == 0 ? NeighborCase::Leaf
+    return deeper == 0 ? NeighborCase::SameDepth
       : deeper > 0     ? NeighborCase::Descended
                        : NeighborCase::Above;
   }

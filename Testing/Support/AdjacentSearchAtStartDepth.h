@@ -123,7 +123,7 @@ private:
   {
     const int deeper = leaf.GetDepth() - this->Box.Depth;
     this->Found->push_back({ leaf, parentBlock,
-      deeper == 0    ? hashedoctree::NeighborCase::Leaf
+      deeper == 0    ? hashedoctree::NeighborCase::SameDepth
         : deeper > 0 ? hashedoctree::NeighborCase::Descended
                      : hashedoctree::NeighborCase::Above });
   }

@@ -31,7 +31,7 @@ void ExpectWellDescribed(const hashedoctree::Octree<Dim>& tree, hashedoctree::Mo
   for (const auto& neighbor : found)
   {
     const int depth = neighbor.Key.GetDepth();
-    const auto expected = depth == node.GetDepth() ? hashedoctree::NeighborCase::Leaf
+    const auto expected = depth == node.GetDepth() ? hashedoctree::NeighborCase::SameDepth
       : depth > node.GetDepth()                    ? hashedoctree::NeighborCase::Descended
                                                    : hashedoctree::NeighborCase::Above;
     EXPECT_EQ(neighbor.Case, expected);
