@@ -80,6 +80,7 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   {
     outputs.push_back(vtkDataObjectTree::SafeDownCast(target));
     outputs.back()->CopyStructure(input);
+    PassFieldData(input, target); // The structure may bring no field data, which VTK relies on.
   }
   const auto blocks = vtk::TakeSmartPointer(input->NewTreeIterator());
   double numberOfBlocks = 0.0;

@@ -19,8 +19,8 @@ namespace hashedoctree
 {
 namespace
 {
-/** Copies the structure of a tree, with vtkMultiBlockDataSets for whatever is composite in it: no
- * other kind may hold composite blocks. */
+/** Copies the structure of a tree and the field data within it, with vtkMultiBlockDataSets for
+ * whatever is composite in it: no other kind may hold composite blocks. */
 void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* copy)
 {
   const auto children = vtk::TakeSmartPointer(tree->NewTreeIterator());
@@ -35,6 +35,7 @@ void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* co
     {
       blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
       CopyStructureToMultiBlock(inner, blocks);
+      PassFieldData(inner, blocks);
     }
     copy->SetBlock(child, blocks);
     if (children->HasCurrentMetaData())

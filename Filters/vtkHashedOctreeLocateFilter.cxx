@@ -27,6 +27,7 @@
 
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 using namespace hashedoctree;
@@ -157,14 +158,10 @@ private:
     searches.SetQueryDepths(depths);
     const auto located = vtk::TakeSmartPointer(queries->NewInstance());
     located->ShallowCopy(queries);
-    if (located->GetFieldData() == nullptr)
-    {
-      located->SetFieldData(vtkNew<vtkFieldData>());
-    }
     const typename Comparison::Costs costs =
       AddQueryArrays(located, points, octree, numbers, searches, execution.Part(DepthsShare, 1.0));
 
-    vtkFieldData* fieldData = located->GetFieldData();
+    vtkFieldData* fieldData = GetOwnFieldData(located);
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
     AddFieldValue<vtkDoubleArray>(
       fieldData, "MeanHitCost", GetMean(costs[Comparison::Chosen], depths));
@@ -239,6 +236,22 @@ int vtkHashedOctreeLocateFilter::GetTypeOfOutput(int port, vtkInformationVector*
   // An AMR data set holds no tables.
   return vtkCompositeDataSet::SafeDownCast(queries) != nullptr ? VTK_MULTIBLOCK_DATA_SET
                                                                : VTK_TABLE;
+}
+
+int vtkHashedOctreeLocateFilter::RequestDataObject(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int done = this->Superclass::RequestDataObject(request, inputVector, outputVector);
+  vtkDataObject* queries = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  if (queries != nullptr && this->GetTypeOfComposite(inputVector) < 0 &&
+    (output == nullptr || std::string(output->GetClassName()) != queries->GetClassName()))
+  {
+    // The type of a plain vtkPointSet does not name its class.
+    outputVector->GetInformationObject(0)->Set(
+      vtkDataObject::DATA_OBJECT(), vtk::TakeSmartPointer(queries->NewInstance()));
+  }
+  return done;
 }
 
 int vtkHashedOctreeLocateFilter::GetTypeOfComposite(vtkInformationVector** inputVector)

@@ -83,6 +83,8 @@ protected:
   ~vtkHashedOctreeLocateFilter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int GetTypeOfOutput(int port, vtkInformationVector** inputVector) override;
   int GetTypeOfComposite(vtkInformationVector** inputVector) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,

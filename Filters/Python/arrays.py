@@ -3,10 +3,14 @@
 
 Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read where they are. Masked
 arrays (whether a value is masked or not), and what is no real number (complex numbers, strings,
-dates), are a TypeError. Results are views of the memory that the search filled, nothing is copied:
-ids are int64, squared distances float64. The searches run on the threads of vtkSMPTools. A batch
-that could not be done (not enough memory, or stopped by AbortBatch()) is a RuntimeError.
+dates, None), are a TypeError, also in arrays of objects. Results are views of the memory that the
+search filled, nothing is copied: ids are int64, squared distances float64. The searches run on the
+threads of vtkSMPTools. A batch that could not be done (not enough memory, or stopped by
+AbortBatch()) is a RuntimeError.
 """
+from decimal import Decimal
+from numbers import Real
+
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkPoints
@@ -58,6 +62,10 @@ def _view(positions):
     positions = numpy.ascontiguousarray(positions)
     if positions.dtype.kind not in "biufO":
         raise TypeError(f"positions must be real numbers, not {positions.dtype}")
+    if positions.dtype.kind == "O":
+        for value in positions.flat:
+            if not isinstance(value, (Real, Decimal)):
+                raise TypeError(f"positions must be real numbers, not {value!r}")
     if positions.ndim != 2 or positions.shape[1] != 3:
         raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}")
     if positions.dtype not in (numpy.float32, numpy.float64):

@@ -106,6 +106,12 @@ TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
   block->SetFieldData(nullptr);
   single.Update();
   EXPECT_EQ(single->GetOutputDataObject(1)->GetFieldData()->GetNumberOfArrays(), 0);
+  composite->SetFieldData(nullptr);
+  composite->Modified();
+  many.UpdateWithoutErrors();
+  composite->SetFieldData(vtkNew<vtkFieldData>()); // With nothing to pass it to VTK would crash.
+  composite->Modified();
+  many.UpdateWithoutErrors();
 }
 
 TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)

@@ -375,7 +375,7 @@ TEST(TestHashedOctreeLocateFilterComposite, NoUsableQueryInAnyBlockIsAnError)
   }
 }
 
-TEST(TestHashedOctreeLocateFilterComposite, BlocksKeepTheirNames)
+TEST(TestHashedOctreeLocateFilterComposite, BlocksKeepTheirNamesAndFieldData)
 {
   vtkNew<vtkMultiBlockDataSet> points;
   points->SetBlock(0, MakeUniform(10, 389));
@@ -388,6 +388,7 @@ TEST(TestHashedOctreeLocateFilterComposite, BlocksKeepTheirNames)
   time->SetName("Time");
   time->InsertNextValue(3.0);
   queries->GetFieldData()->AddArray(time);
+  queries->GetPartitionedDataSet(1)->GetFieldData()->AddArray(time);
 
   TestedLocateFilter filter(points, queries);
   filter.UpdateWithoutErrors();
@@ -402,6 +403,7 @@ TEST(TestHashedOctreeLocateFilterComposite, BlocksKeepTheirNames)
     EXPECT_EQ(GetName(output, 1), "paths");
     auto* paths = vtkMultiBlockDataSet::SafeDownCast(output->GetBlock(1));
     ASSERT_NE(paths, nullptr);
+    EXPECT_EQ(paths->GetFieldData()->GetArray("Time"), time);
     auto* ofGround = vtkMultiBlockDataSet::SafeDownCast(paths->GetBlock(0));
     ASSERT_NE(ofGround, nullptr);
     EXPECT_EQ(GetName(ofGround, 0), "ground");

@@ -316,11 +316,14 @@ TEST(TestHashedOctreeLocateFilterInputs, QueriesMayBeOfAnyKind)
   unstructured->SetPoints(places);
   vtkNew<vtkPolyData> cloud;
   cloud->SetPoints(places);
+  vtkNew<vtkPointSet> plain;
+  plain->SetPoints(places);
 
   TestedLocateFilter ofCloud(points, cloud);
   ofCloud.Update();
   TestedLocateFilter filter(points, nullptr);
-  for (vtkDataSet* queries : std::initializer_list<vtkDataSet*>{ image, structured, unstructured })
+  for (vtkDataSet* queries :
+    std::initializer_list<vtkDataSet*>{ plain, image, structured, unstructured, plain })
   {
     SCOPED_TRACE(queries->GetClassName());
     filter->SetInputData(1, queries);

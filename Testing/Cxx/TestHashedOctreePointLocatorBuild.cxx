@@ -465,7 +465,7 @@ TEST(TestHashedOctreePointLocatorBuild, PrintsItsProperties)
   std::ostringstream text;
   locator->Print(text);
   for (const char* words : { "MaxPointsPerLeaf: 12345", "MaxDepth: 21", "FrequencyModel: 0",
-         "StartDepthModel: 0", "FixedStartDepth: 0", "StartDepth: 0", "IndexBytes: 0", "DataSet" })
+         "StartDepthModel: 0", "FixedStartDepth: 0", " StartDepth: 0", "IndexBytes: 0", "DataSet" })
   {
     EXPECT_NE(text.str().find(words), std::string::npos) << words;
   }

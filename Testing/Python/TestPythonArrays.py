@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Batches of searches with NumPy arrays, against comparing with every point."""
+from decimal import Decimal
+from fractions import Fraction
+
 import numpy
 from vtkmodules.vtkCommonCore import reference, vtkIdList
 from hashedoctree import vtkHashedOctreePointLocator
@@ -88,6 +91,11 @@ expect_error(TypeError, find_closest_points, locator, numpy.ma.masked_less(numpy
 expect_error(TypeError, find_closest_points, locator, [["1", "2", "3"]])
 expect_error(TypeError, find_closest_points, locator, numpy.zeros((4, 3), dtype="datetime64[s]"))
 expect_error(TypeError, find_closest_points, locator, [[1 + 2j, 0, 0]])
+for value in ("1", b"1", None, 1j, numpy.ma.masked, numpy.datetime64("2008-01-01")):
+    expect_error(TypeError, find_closest_points, locator, numpy.array([[value, 0, 0]], dtype=object))
+ids, dist2 = find_closest_points(
+    locator, numpy.array([[Decimal("0.5"), Fraction(1, 2), numpy.float32(0.5)]], dtype=object))
+assert (ids, dist2) == find_closest_points(locator, [[0.5, 0.5, 0.5]]), (ids, dist2)
 locator.SetDataSet(make_points(random.random((100000, 3))))
 locator.AddObserver("ProgressEvent", lambda caller, event: caller.AbortBatch())
 expect_error(RuntimeError, find_closest_points, locator, random.random((100000, 3)))
