@@ -16,9 +16,9 @@ namespace hashedoctree
  * search examines: the point arrays LeafId, LeafDepth, LeafKey, HitCost (active), RootCost,
  * MedianCost, MeanCost, LocalCost and DecisionTreeCost of vtkHashedOctreeLocateFilter. Returns the
  * nodes that each search examines for all finite points together. `numbers` are the leaves' in the
- * reading that queries are searched for in. Throws Interrupted, with a data
- * set that must be emptied. The same whatever the threads. Instantiated for 2 and 3 dimensions.
- * Private to the module.
+ * reading that queries are searched for in. Throws Interrupted, with a data set that must be
+ * emptied. The same whatever the threads. Instantiated for 2 and 3 dimensions. Private to the
+ * module.
  */
 template <int Dim>
 typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
