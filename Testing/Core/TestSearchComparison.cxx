@@ -49,6 +49,8 @@ TYPED_TEST(TestSearchComparison, EachSearchStartsWhereItsModelSays)
       const DepthHistogram queries = made.Tree.GetDepthCounts().EmptyLeaves;
       const auto comparison =
         MakeComparison<dim>(made.Tree, { StartDepthModel::Fixed, frequency, 5 }, queries);
+      EXPECT_EQ(Comparison(made.Tree, {}).GetStartDepth(Comparison::BestForQueries), 0)
+        << "no queries yet";
       EXPECT_EQ(comparison.GetStartDepth(Comparison::Chosen), 5);
       EXPECT_EQ(comparison.GetStartDepth(Comparison::Root), 0);
       EXPECT_EQ(comparison.GetStartDepth(Comparison::Median), GetMedianDepth(histogram));
