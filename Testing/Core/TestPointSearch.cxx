@@ -343,6 +343,9 @@ TEST(TestPointSearchFacts, BoxesExamineTheNodesThatTheirFacesCross)
   EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, -1.0 }, { 2.0, 2.0, 2.0 } }), 1U);
   // All points are in leaves of depth 4: a plane crosses 1, 4, 16 and 64 nodes above them.
   EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, 0.3 }, { 2.0, 2.0, 0.3 } }), 85U);
+  // Nothing can be in these.
+  EXPECT_EQ(search.CountNodesForWithin({ { 0.1, 0.1, 0.6 }, { 0.9, 0.9, 0.4 } }), 0U);
+  EXPECT_EQ(search.CountNodesForWithin({ { 0.1, 0.1, NAN }, { 0.9, 0.9, 0.4 } }), 0U);
 }
 
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
