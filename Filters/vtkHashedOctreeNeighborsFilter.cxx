@@ -33,7 +33,7 @@ vtkStandardNewMacro(vtkHashedOctreeNeighborsFilter);
 namespace
 {
 /** Shares of the progress of one tree: where each step ends. The rest is for Role and Case. */
-constexpr double ListShare = 0.35;
+constexpr double NodesShare = 0.35;
 constexpr double CellsShare = 0.95;
 
 constexpr std::size_t ChunkSize = 8192; // Neighbours that a thread does at a time.
@@ -170,9 +170,9 @@ public:
 
     vtkNew<vtkUnstructuredGrid> cells;
     const Buffer<Node<Dim>> nodes =
-      ListNodes<Dim>(tree, *query, neighbors, execution.Part(OctreePass::BuildShare, ListShare));
+      ListNodes<Dim>(tree, *query, neighbors, execution.Part(OctreePass::BuildShare, NodesShare));
     OctreeCells<Dim>(tree, startDepth, nodes, octree.Frame)
-      .MakeVoxels(cells, execution.Part(ListShare, CellsShare));
+      .MakeVoxels(cells, execution.Part(NodesShare, CellsShare));
     AddNeighborArrays<Dim>(cells, neighbors, execution.Part(CellsShare, 1.0));
     AddFieldValue<vtkIntArray>(cells->GetFieldData(), "StartDepth", startDepth);
     AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "ExaminedNodes", examined.Nodes);
