@@ -166,7 +166,7 @@ TEST(TestThreadTeam, OfTwoErrorsTheFirstComesBack)
     {
       std::this_thread::yield();
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(isFirst ? 0 : 100));
+    std::this_thread::sleep_for(std::chrono::milliseconds(isFirst ? 0 : 500));
     throw std::runtime_error(isFirst ? "first" : "second");
   };
   try

@@ -5,6 +5,7 @@
 #include "Invariants.h"
 
 #include "BruteForceNeighbors.h"
+#include "ExpectedNeighborCase.h"
 #include "LeafSearchInput.h"
 #include "TreeOptions.h"
 
@@ -129,7 +130,8 @@ private:
       bool good = found.size() == first.size();
       for (std::size_t i = 0; good && i < found.size(); ++i)
       {
-        good = found[i].Key == first[i].Key && found[i].Case == this->GetCase(found[i].Key) &&
+        good = found[i].Key == first[i].Key &&
+          found[i].Case == GetExpectedCase(found[i].Key, this->Node) &&
           this->IsWellDescribed(found[i].Key, found[i].ParentBlock);
         keys.push_back(found[i].Key.GetValue());
       }
@@ -141,14 +143,6 @@ private:
           std::to_string(expected.size()) + ", or wrong ones");
       }
     }
-  }
-
-  NeighborCase GetCase(Key neighbor) const
-  {
-    const int deeper = neighbor.GetDepth() - this->Node.GetDepth();
-    return deeper == 0 ? NeighborCase::SameDepth
-      : deeper > 0     ? NeighborCase::Descended
-                       : NeighborCase::Above;
   }
 
   const Octree<Dim>& Tree;

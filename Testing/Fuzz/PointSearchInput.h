@@ -7,7 +7,6 @@
 #include "FuzzPoints.h"
 #include "PointQuery.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

@@ -3,7 +3,7 @@
 #define Testing_Support_AdjacentSearchAtStartDepth_h
 
 #include "DirectSearch.h"
-#include "Neighbor.h"
+#include "ExpectedNeighborCase.h"
 #include "NodeBox.h"
 
 #include <algorithm>
@@ -121,11 +121,7 @@ private:
 
   void Add(Key leaf, std::uint32_t parentBlock)
   {
-    const int deeper = leaf.GetDepth() - this->Box.Depth;
-    this->Found->push_back({ leaf, parentBlock,
-      deeper == 0    ? hashedoctree::NeighborCase::SameDepth
-        : deeper > 0 ? hashedoctree::NeighborCase::Descended
-                     : hashedoctree::NeighborCase::Above });
+    this->Found->push_back({ leaf, parentBlock, GetExpectedCase(leaf, this->Node) });
   }
 
   const hashedoctree::Octree<Dim>& Tree;

@@ -3,7 +3,7 @@
 #define Testing_Support_NeighborCases_h
 
 #include "BruteForceNeighbors.h"
-#include "Neighbor.h"
+#include "ExpectedNeighborCase.h"
 #include "SampleTree.h"
 
 #include <algorithm>
@@ -30,11 +30,7 @@ void ExpectWellDescribed(const hashedoctree::Octree<Dim>& tree, hashedoctree::Mo
 {
   for (const auto& neighbor : found)
   {
-    const int depth = neighbor.Key.GetDepth();
-    const auto expected = depth == node.GetDepth() ? hashedoctree::NeighborCase::SameDepth
-      : depth > node.GetDepth()                    ? hashedoctree::NeighborCase::Descended
-                                                   : hashedoctree::NeighborCase::Above;
-    EXPECT_EQ(neighbor.Case, expected);
+    EXPECT_EQ(neighbor.Case, GetExpectedCase(neighbor.Key, node));
     EXPECT_EQ(tree.GetBlockKey(neighbor.ParentBlock), neighbor.Key.GetParent());
   }
 }
