@@ -76,7 +76,7 @@ def read_points(path):
     source.UpdatePipeline()
     source = to_point_set(source)
     if not source or source.GetDataInformation().GetNumberOfPoints() == 0:
-        if has_appended_data(path):
+        if source and has_appended_data(path):
             raise DemoError(f"{path} gave no points; if it holds some, save it as ascii or inline binary: ParaView 5.11 "
                             "cannot read appended data with the expat of Debian's security updates")
         raise DemoError(f"{path} holds no points; give a file with points")
@@ -113,9 +113,10 @@ def apply_octree(source, path):
 
 
 def field_data(octree):
-    """The figures of the octree by name."""
+    """The figures of the octree by name; what else its file brought may be no number, or many."""
     data = servermanager.Fetch(octree, idx=0).GetFieldData()
-    return {data.GetArrayName(i): data.GetArray(i).GetTuple1(0) for i in range(data.GetNumberOfArrays())}
+    arrays = map(data.GetArray, range(data.GetNumberOfArrays()))
+    return {array.GetName(): array.GetTuple1(0) for array in arrays if array and array.GetNumberOfValues() == 1}
 
 
 def table(octree, port):
@@ -157,7 +158,7 @@ def summary(path, figures):
              ("tree", f"{human_bytes(figures['TreeBytes'])} ({count('TreeBytes')} bytes)"),
              ("build time", f"{figures['BuildSeconds']:.3f} s")]
     if figures["SkippedPoints"]:
-        lines.append(("skipped", f"{count('SkippedPoints')} points that are not finite"))
+        lines.append(("skipped", f"{count('SkippedPoints')} points that are not finite, or too large"))
     return "\n".join(f"{name:<22} {value}" for name, value in lines)
 
 
@@ -257,6 +258,18 @@ def show_cells(source, view, edges, ambient=0.3):
     return shown
 
 
+def show_occupied(octree, view, figures, edges):
+    """The leaves that hold points; as dots, where most are so small that nothing else would be seen of them."""
+    shown = show_cells(octree, view, edges)
+    if are_dots(figures):
+        shown.Representation, shown.PointSize = "Points", 4
+    return shown
+
+
+def are_dots(figures):
+    return 2 ** figures["StartDepthPoints"] > 8 * PICTURE_SIZE[1]
+
+
 def white_view(width, height):
     view = simple.CreateView("RenderView")
     view.ViewSize = width, height
@@ -269,7 +282,7 @@ def show_whole(stage, octree, cut, figures):
     """A view of what is flat with the slice behind it, of the rest of the slice alone."""
     view, shown = white_view(*HALF), []
     if stage.flat or not cut:
-        shown.append(show_cells(octree, view, edges=False))
+        shown.append(show_occupied(octree, view, figures, edges=False))
     if cut:
         # Edges of leaves that are only a few pixels wide would hide their colours.
         edged = int(np.log2(HALF[0] / 6))
@@ -282,12 +295,12 @@ def show_whole(stage, octree, cut, figures):
 def show_leaves(stage, octree, figures):
     """A view of the leaves that hold points; of what is flat a part, near enough to tell the leaves apart."""
     view = white_view(*HALF)
-    shown = [show_cells(octree, view, stage.flat or stage.shows_edges(figures, HALF[1]))]
+    shown = [show_occupied(octree, view, figures, stage.flat or stage.shows_edges(figures, HALF[1]))]
     stage.look(view, *((0.4, 0.75) if stage.flat else (0.5, 0.35)))
     if stage.flat:
         place, depth = most_varied_place(octree, stage)
         # Nearer still, and the leaves would lie before what the camera can see along with the rest.
-        stage.look_closely(view, place, max(80 / 2 ** depth, 0.02) * stage.side)
+        stage.look_closely(view, place, max(80 / 2 ** depth, 0.2 if are_dots(figures) else 0.02) * stage.side)
     return view, shown
 
 
@@ -325,7 +338,7 @@ def octree_pictures(folder, stage, source, octree, figures):
     # Of a quadtree a slice would be lines.
     has_slice = figures["Dimension"] == 3 and figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE
     cut = slice_all_leaves(source, stage) if has_slice else None
-    held = "Leaves that hold points"
+    held = "Leaves that hold points" + (" (too small to see: as dots)" if are_dots(figures) else "")
     if stage.flat:
         captions = held + (", before a slice through all leaves" if cut else ""), "A closer look"
     else:
@@ -446,7 +459,7 @@ def show(path):
     layout.SplitVertical(2, 0.5)
     stage = Stage(octree.GetDataInformation().GetBounds(), path)
     set_colors("Depth", *octree.CellData["Depth"].GetRange())
-    shown = show_cells(octree, view, stage.shows_edges(figures, view.ViewSize[1]))
+    shown = show_occupied(octree, view, figures, stage.shows_edges(figures, view.ViewSize[1]))
     shown.SetScalarBarVisibility(view, True)
     stage.look(view, 0.4, 0.75 if stage.flat else 0.35)
     depth_step = 1 if figures["DeepestDepth"] <= 10 else 2  # as many labels as small charts have room for

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What start.sh --batch writes: of files that bring more than points, and of points that have twins."""
+import csv
+import os
+import sys
+
+import numpy as np
+import octreetesting
+from vtkmodules.numpy_interface.dataset_adapter import numpyTovtkDataArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+sys.path.insert(0, os.path.join(octreetesting.argument("-D"), "..", "Plugin", "Demo"))
+import demo
+import matplotlib.pyplot as plt
+
+folder = octreetesting.argument("-T")
+PICTURES = "octree-depth.png", "octree-hitcost.png", "depth-histogram.png", "cost-curves.png"
+TABLES = "depth-histogram.csv", "cost-curves.csv"
+
+
+def write_points(name, points, *field_data):
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpyTovtkDataArray(np.float32(points)))
+    for array in field_data:
+        data.GetFieldData().AddArray(array)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(os.path.join(folder, name))
+    writer.SetInputData(data)
+    writer.SetDataModeToBinary()
+    assert writer.Write()
+    return writer.GetFileName()
+
+
+def expect_demo(path, leaves):
+    """All pictures and tables, with something in each half of a picture, and the number of leaves that hold points."""
+    for name in PICTURES + TABLES:
+        if os.path.exists(os.path.join(folder, name)):
+            os.remove(os.path.join(folder, name))
+    demo.write_all(path, folder)
+    for name in PICTURES:
+        picture = plt.imread(os.path.join(folder, name))[:, :, :3]
+        assert picture.shape[1::-1] == demo.PICTURE_SIZE, (name, picture.shape)
+        for half in np.array_split(picture[:demo.HALF[1]], 2, axis=1):
+            colored = (np.ptp(half, axis=2) > 0.2).mean()
+            assert colored > 0.0002, (path, name, colored)
+    with open(os.path.join(folder, TABLES[0]), newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert sum(int(row["Leaves"]) - int(row["EmptyLeaves"]) for row in rows) == leaves, rows
+
+
+words, nothing, many = vtkStringArray(), vtkDoubleArray(), vtkDoubleArray()
+for array, name, values in ((words, "Title", ["a"]), (nothing, "Nothing", []), (many, "Many", [1, 2])):
+    array.SetName(name)
+    for value in values:
+        array.InsertNextValue(value)
+random = np.random.default_rng(2301)
+expect_demo(write_points("ball.vtp", random.standard_normal((400, 3)), words, nothing, many), 400)
+
+# Leaves at the last depth, which are far too small to be seen but as dots.
+flat = np.column_stack((random.random((900, 2)), np.zeros(900)))
+expect_demo(write_points("twins.vtp", np.repeat(random.random((300, 3)), 2, axis=0)), 300)
+expect_demo(write_points("flat twins.vtp", np.repeat(flat, 2, axis=0)), 900)
+
+try:
+    demo.write_all(os.path.join(folder, "missing.vtp"), folder)
+    sys.exit("A file that is not there is shown.")
+except demo.DemoError as error:
+    assert "does not exist" in str(error), error
