@@ -76,8 +76,12 @@ public:
       cells.MakeVoxels(voxels, cellsExecution);
       nodes = voxels;
     }
-    this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
-    return { nodes, histogram, costs };
+    OctreePass::Outputs outputs{ nodes, histogram, costs };
+    for (vtkDataObject* output : outputs)
+    {
+      this->AddFieldData(output->GetFieldData(), octree, startDepth);
+    }
+    return outputs;
   }
 
 private:

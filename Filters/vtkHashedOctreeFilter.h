@@ -27,13 +27,13 @@
  *   8 * key + octant, where x is the high bit of the octant (in VTK's own octrees it is the low
  *   one); in a quadtree 4 * key + quadrant, where the first axis of the plane is the high bit.
  *
- * Field data, one value each: Dimension (2 or 3), StartDepth, MeanHitCost, MeanRootCost (means over
- * all leaves in the chosen FrequencyModel), CostRatio (root / hit), NumberOfPoints, NumberOfNodes
- * (internal nodes and all leaves), NumberOfLeaves, NumberOfEmptyLeaves, DeepestDepth,
- * StartDepthLeaves, StartDepthPoints, StartDepthGrid (by the chosen StartDepthModel in each
- * frequency model), TreeBytes (the tree without the points and their order), BuildSeconds,
- * SkippedPoints (not finite, or too large), OutsidePoints (outside CustomBounds). All outputs keep
- * the field data of the input, but for arrays of these names.
+ * Field data of all outputs, one value each: Dimension (2 or 3), StartDepth, MeanHitCost,
+ * MeanRootCost (means over all leaves in the chosen FrequencyModel), CostRatio (root / hit),
+ * NumberOfPoints, NumberOfNodes (internal nodes and all leaves), NumberOfLeaves,
+ * NumberOfEmptyLeaves, DeepestDepth, StartDepthLeaves, StartDepthPoints, StartDepthGrid (by the
+ * chosen StartDepthModel in each frequency model), TreeBytes (the tree without the points and their
+ * order), BuildSeconds, SkippedPoints (not finite, or too large), OutsidePoints (outside
+ * CustomBounds). All outputs keep the field data of the input, but for arrays of these names.
  *
  * Output port 1, vtkTable, one row for each depth from 0 to the deepest: Depth, Leaves,
  * EmptyLeaves, Points, GridWeight (volume of the leaves, in a quadtree their area, in cells of the

@@ -161,16 +161,21 @@ private:
     const typename Comparison::Costs costs =
       AddQueryArrays(located, points, octree, numbers, searches, execution.Part(DepthsShare, 1.0));
 
-    vtkFieldData* fieldData = GetOwnFieldData(located);
-    AddFieldValue<vtkIntArray>(fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
-    AddFieldValue<vtkDoubleArray>(
-      fieldData, "MeanHitCost", GetMean(costs[Comparison::Chosen], depths));
-    AddFieldValue<vtkIntArray>(
-      fieldData, "BestStartDepth", searches.GetStartDepth(Comparison::BestForQueries));
-    AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
     vtkNew<vtkTable> table;
     this->FillTable(table, tree, searches, costs, depths);
-    return { located, table };
+    OctreePass::Outputs outputs{ located, table };
+    for (vtkDataObject* output : outputs)
+    {
+      vtkFieldData* fieldData = GetOwnFieldData(output);
+      AddFieldValue<vtkIntArray>(
+        fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
+      AddFieldValue<vtkDoubleArray>(
+        fieldData, "MeanHitCost", GetMean(costs[Comparison::Chosen], depths));
+      AddFieldValue<vtkIntArray>(
+        fieldData, "BestStartDepth", searches.GetStartDepth(Comparison::BestForQueries));
+      AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
+    }
+    return outputs;
   }
 
   template <int Dim>

@@ -39,11 +39,12 @@
  * All costs are counted in searches that were made. Queries outside the root count for the leaf
  * that is nearest to them on each axis. Queries with a coordinate that is not finite have LeafId
  * -1, LeafDepth -1, LeafKey 0 and costs 0; one warning tells how many there are in all blocks, and
- * means leave them out (0 where no query is left). Field data, one value each: StartDepth (the
- * chosen one), MeanHitCost (over the queries), BestStartDepth (the one with the least mean cost for
- * these queries, the smallest of equals), SkippedPoints (of the tree: not finite, or too large).
- * All outputs keep the field data of the points, and output 0, like a composite output of composite
- * queries, that of the queries; of arrays of one name it keeps its own, then the queries'.
+ * means leave them out (0 where no query is left). Field data of both outputs, one value each:
+ * StartDepth (the chosen one), MeanHitCost (over the queries), BestStartDepth (the one with the
+ * least mean cost for these queries, the smallest of equals), SkippedPoints (of the tree: not
+ * finite, or too large). All outputs keep the field data of the points, and output 0, like a
+ * composite output of composite queries, that of the queries; of arrays of one name it keeps its
+ * own, then the queries'.
  *
  * Output port 1, vtkTable, a row for each way to search: Root, Median, Mean, Fixed (if chosen),
  * Local, Decision tree, Best for these queries (from BestStartDepth), and last Entropy bound, which

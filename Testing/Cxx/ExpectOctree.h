@@ -4,6 +4,7 @@
 
 #include "ExpectCells.h"
 #include "ExpectTables.h"
+#include "SameOutputs.h"
 
 #include <vector>
 
@@ -36,6 +37,8 @@ inline void ExpectFieldData(TestedFilter& filter, const OracleOctree& expected)
   EXPECT_GE(filter.GetFieldValue("TreeBytes"), 0.0);
   EXPECT_EQ(filter.GetFieldValue("Dimension"), 3);
   EXPECT_EQ(filter.GetCells()->GetFieldData()->GetNumberOfArrays(), 17);
+  ExpectSameArrays(filter.GetHistogram()->GetFieldData(), filter.GetCells()->GetFieldData());
+  ExpectSameArrays(filter.GetCosts()->GetFieldData(), filter.GetCells()->GetFieldData());
 }
 
 /** Everything that the filter says of its points, against the plain octree of the same points. */

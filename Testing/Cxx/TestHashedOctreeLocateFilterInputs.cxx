@@ -244,6 +244,7 @@ TEST(TestHashedOctreeLocateFilterInputs, OutputsKeepTheFieldDataOfBothInputs)
   const auto points = MakeUniform(100, 353);
   hashedoctree::AddFieldValue<vtkIntArray>(points->GetFieldData(), "OfPoints", 1);
   hashedoctree::AddFieldValue<vtkIntArray>(points->GetFieldData(), "OfBoth", 1);
+  hashedoctree::AddFieldValue<vtkIntArray>(points->GetFieldData(), "StartDepth", 77); // Of another.
   const auto queries = MakeUniform(20, 354);
   hashedoctree::AddFieldValue<vtkIntArray>(queries->GetFieldData(), "OfBoth", 2);
   TestedLocateFilter filter(points, queries);
@@ -251,6 +252,12 @@ TEST(TestHashedOctreeLocateFilterInputs, OutputsKeepTheFieldDataOfBothInputs)
   EXPECT_EQ(filter.GetFieldValue("OfPoints"), 1);
   EXPECT_EQ(filter.GetFieldValue("OfBoth"), 2);
   EXPECT_EQ(filter.GetTable()->GetFieldData()->GetArray("OfBoth")->GetTuple1(0), 1);
+  for (const char* name : { "StartDepth", "MeanHitCost", "BestStartDepth", "SkippedPoints" })
+  {
+    EXPECT_LT(filter.GetFieldValue(name), 77);
+    EXPECT_EQ(
+      filter.GetTable()->GetFieldData()->GetArray(name)->GetTuple1(0), filter.GetFieldValue(name));
+  }
 
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, queries);
