@@ -326,6 +326,11 @@ vtkIdType vtkHashedOctreePointLocator::FindClosestPointWithinRadius(
 template <typename Found, typename Find>
 void vtkHashedOctreePointLocator::FillList(vtkIdList* result, const Find& find)
 {
+  if (result == nullptr)
+  {
+    vtkErrorMacro("A query needs a list for the ids of what it finds.");
+    return;
+  }
   const Index& index = this->GetIndex();
   try
   {
@@ -550,6 +555,11 @@ vtkIdType vtkHashedOctreePointLocator::GetPointsWithinBoxCost(const double bound
 
 void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData* pd)
 {
+  if (pd == nullptr)
+  {
+    vtkErrorMacro("A representation needs a vtkPolyData for its boxes.");
+    return;
+  }
   const Index& index = this->GetIndex();
   NodeListOptions options;
   if (level >= 0)

@@ -48,7 +48,7 @@
  * vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points, unless built
  * with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough memory, is an
  * error, after which queries find nothing. A query that has not enough memory for what it finds is
- * an error, too, and finds nothing.
+ * an error, too, and finds nothing; so is one without a list to put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones

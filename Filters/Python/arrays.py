@@ -2,11 +2,12 @@
 """Batches of searches of vtkHashedOctreePointLocator, NumPy arrays in and out.
 
 Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read where they are. Masked
-arrays (whether a value is masked or not), and what is no real number (complex numbers, strings,
-dates, None), are a TypeError, also in arrays of objects. Results are views of the memory that the
+arrays (whether a value is masked or not), also as rows of a list, and what is no real number
+(complex numbers, strings, dates, None), also in arrays of objects, are a TypeError. Results are views of the memory that the
 search filled, nothing is copied: ids are int64, squared distances float64. The searches run on the
 threads of vtkSMPTools. A batch that could not be done (not enough memory, or stopped by
-AbortBatch()) is a RuntimeError.
+AbortBatch()) is a RuntimeError. Python's other threads wait while a batch runs, so that only an
+observer of its ProgressEvent can stop it from Python.
 """
 from decimal import Decimal
 from numbers import Real
@@ -57,14 +58,15 @@ def find_points_within_radius(locator, radius, positions):
 
 def _view(positions):
     """A VTK array over the positions, which keeps them alive."""
-    if numpy.ma.isMaskedArray(positions):
+    rows = positions if isinstance(positions, (list, tuple)) else ()
+    if any(map(numpy.ma.isMaskedArray, (positions, *rows))):
         raise TypeError("positions must not be a masked array; give the values that count")
     positions = numpy.ascontiguousarray(positions)
     if positions.dtype.kind not in "biufO":
         raise TypeError(f"positions must be real numbers, not {positions.dtype}")
     if positions.dtype.kind == "O":
         for value in positions.flat:
-            if not isinstance(value, (Real, Decimal)):
+            if not isinstance(value, (Real, Decimal, numpy.bool_)):
                 raise TypeError(f"positions must be real numbers, not {value!r}")
     if positions.ndim != 2 or positions.shape[1] != 3:
         raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}")
@@ -75,4 +77,4 @@ def _view(positions):
 
 def _check(done):
     if not done:
-        raise RuntimeError("the batch of searches was not done; see the errors of the locator")
+        raise RuntimeError("the batch of searches was not done: it was stopped, or the locator had an error")

@@ -47,6 +47,25 @@ TEST(TestHashedOctreePointLocatorEdges, WithoutPointsNothingIsFoundSilently)
   ExpectNoTree(ofNoImage);
 }
 
+TEST(TestHashedOctreePointLocatorEdges, NothingToPutAnswersIntoIsAnError)
+{
+  TestedLocator locator(MakePolyData<float>({ 0, 0, 0, 5, 0, 0 }));
+  const double origin[3] = { 0, 0, 0 };
+  const double box[6] = { 0, 1, 0, 1, 0, 1 };
+  locator->FindClosestNPoints(2, origin, nullptr);
+  locator->FindPointsWithinRadius(1.0, origin, nullptr);
+  locator->FindPointsWithinBox(box, nullptr);
+  ASSERT_EQ(locator.Errors.size(), 3U);
+  for (const std::string& error : locator.Errors)
+  {
+    EXPECT_NE(error.find("needs a list"), std::string::npos) << error;
+  }
+  locator->GenerateRepresentation(0, nullptr);
+  ASSERT_EQ(locator.Errors.size(), 4U);
+  EXPECT_NE(locator.Errors[3].find("needs a vtkPolyData"), std::string::npos) << locator.Errors[3];
+  locator.Errors.clear();
+}
+
 TEST(TestHashedOctreePointLocatorEdges, DataMayChangeAfterABuild)
 {
   const auto cloud = MakePolyData<float>({ 0, 0, 0, 5, 0, 0 });

@@ -88,6 +88,9 @@ expect_error(ValueError, find_closest_points, locator, numpy.zeros(3))
 expect_error(ValueError, find_closest_points, locator, numpy.zeros((4, 2)))
 expect_error(TypeError, find_closest_points, locator, numpy.zeros((4, 3), dtype=complex))
 expect_error(TypeError, find_closest_points, locator, numpy.ma.masked_less(numpy.zeros((4, 3)), 1))
+masked_row = numpy.ma.masked_less(numpy.arange(3.0), 1)
+for rows in ([masked_row, masked_row], (masked_row,), [[0, 0, 0], masked_row]):
+    expect_error(TypeError, find_closest_points, locator, rows)
 expect_error(TypeError, find_closest_points, locator, [["1", "2", "3"]])
 expect_error(TypeError, find_closest_points, locator, numpy.zeros((4, 3), dtype="datetime64[s]"))
 expect_error(TypeError, find_closest_points, locator, [[1 + 2j, 0, 0]])
@@ -96,6 +99,8 @@ for value in ("1", b"1", None, 1j, numpy.ma.masked, numpy.datetime64("2008-01-01
 ids, dist2 = find_closest_points(
     locator, numpy.array([[Decimal("0.5"), Fraction(1, 2), numpy.float32(0.5)]], dtype=object))
 assert (ids, dist2) == find_closest_points(locator, [[0.5, 0.5, 0.5]]), (ids, dist2)
+truths = numpy.array([[True, numpy.True_, numpy.False_]], dtype=object)
+assert find_closest_points(locator, truths) == find_closest_points(locator, [[1.0, 1.0, 0.0]])
 locator.SetDataSet(make_points(random.random((100000, 3))))
 locator.AddObserver("ProgressEvent", lambda caller, event: caller.AbortBatch())
 expect_error(RuntimeError, find_closest_points, locator, random.random((100000, 3)))
