@@ -272,6 +272,14 @@ TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedWhileTheyBuild)
   locator.ExpectWarningOfSkippedPoints(1);
   EXPECT_TRUE(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2));
   EXPECT_EQ(outputs.Ids->GetValue(0), 1);
+
+  // Also when there is nothing to do after it.
+  vtkNew<vtkFloatArray> noQueries;
+  noQueries->SetNumberOfComponents(3);
+  EXPECT_TRUE(locator->FindClosestPoints(noQueries, outputs.Ids, outputs.Dist2));
+  locator->Modified();
+  EXPECT_FALSE(locator->FindClosestPoints(noQueries, outputs.Ids, outputs.Dist2));
+  locator.ExpectWarningOfSkippedPoints(1);
 }
 
 TEST(TestHashedOctreePointLocatorBatches, CanBeAbortedByWhoHearsOfTheirOutputs)
