@@ -3,11 +3,11 @@
 
 Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read where they are. Masked
 arrays (whether a value is masked or not), also as rows of a list, and what is no real number
-(complex numbers, strings, dates, None), also in arrays of objects, are a TypeError. Results are views of the memory that the
-search filled, nothing is copied: ids are int64, squared distances float64. The searches run on the
-threads of vtkSMPTools. A batch that could not be done (not enough memory, or stopped by
-AbortBatch()) is a RuntimeError. Python's other threads wait while a batch runs, so that only an
-observer of its ProgressEvent can stop it from Python.
+(complex numbers, strings, dates, None), also in arrays of objects, are a TypeError. Results are
+views of the memory that the search filled, nothing is copied: ids are int64, squared distances
+float64. The searches run on the threads of vtkSMPTools. A batch that could not be done (not enough
+memory, or stopped by AbortBatch()) is a RuntimeError. Python's other threads wait while a batch
+runs, so that only an observer of its ProgressEvent can stop it from Python.
 """
 from decimal import Decimal
 from numbers import Real
