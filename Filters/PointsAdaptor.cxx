@@ -5,15 +5,30 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <algorithm>
+
 namespace hashedoctree
 {
+namespace
+{
+/** Arrays that compute their tuples may keep the last one, as those of vtkAngularPeriodicFilter do:
+ * such can be read on one thread only. */
+bool HoldsItsTuples(vtkDataArray* data)
+{
+  const int type = data->GetArrayType();
+  return type == vtkAbstractArray::AoSDataArrayTemplate ||
+    type == vtkAbstractArray::SoADataArrayTemplate;
+}
+}
+
 PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
   : Count(static_cast<std::size_t>(dataSet->GetNumberOfPoints()))
 {
   auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
   if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
   {
-    this->CopyPoints([dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, execution);
+    this->CopyPoints(
+      [dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, true, execution);
     return;
   }
   this->ViewOrCopy(pointSet->GetPoints()->GetData(), execution);
@@ -37,23 +52,37 @@ void PointsAdaptor::ViewOrCopy(vtkDataArray* data, const Execution& execution)
   }
   else
   {
-    this->CopyPoints([data](vtkIdType id, double* x) { data->GetTuple(id, x); }, execution);
+    this->CopyPoints(
+      [data](vtkIdType id, double* x) { data->GetTuple(id, x); }, HoldsItsTuples(data), execution);
   }
 }
 
 template <typename GetPoint>
-void PointsAdaptor::CopyPoints(const GetPoint& getPoint, const Execution& execution)
+void PointsAdaptor::CopyPoints(
+  const GetPoint& getPoint, bool onAllThreads, const Execution& execution)
 {
   constexpr std::size_t grain = 8192; // Points that a thread copies at a time.
   this->Copy = Buffer<Position<3>>(this->Count);
-  execution.For(this->Count, grain,
-    [this, &getPoint](std::size_t first, std::size_t last)
+  const auto copy = [this, &getPoint](std::size_t first, std::size_t last)
+  {
+    for (std::size_t i = first; i < last; ++i)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        getPoint(static_cast<vtkIdType>(i), this->Copy[i].data());
-      }
-    });
+      getPoint(static_cast<vtkIdType>(i), this->Copy[i].data());
+    }
+  };
+  if (onAllThreads)
+  {
+    execution.For(this->Count, grain, copy);
+  }
+  else
+  {
+    for (std::size_t first = 0; first < this->Count; first += grain)
+    {
+      const std::size_t last = std::min(this->Count, first + grain);
+      copy(first, last);
+      execution.Tell(static_cast<double>(last) / static_cast<double>(this->Count));
+    }
+  }
   this->Doubles = this->Count > 0 ? this->Copy[0].data() : nullptr;
 }
 }

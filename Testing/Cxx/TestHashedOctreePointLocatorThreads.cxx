@@ -5,6 +5,10 @@
 #include "Sanitized.h"
 #include "TestedLocator.h"
 
+#include "vtkAngularPeriodicDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkSMPTools.h"
 
 #include <array>
@@ -148,4 +152,32 @@ TEST(TestHashedOctreePointLocatorThreads, TheTreeDoesNotDependOnTheThreadsThatBu
     EXPECT_TRUE(answers == expected) << numberOfThreads << " threads";
   }
   vtkSMPTools::Initialize(0);
+}
+
+TEST(TestHashedOctreePointLocatorThreads, ArraysThatComputeTheirPointsAreReadOnOne)
+{
+  const auto cloud = MakePolyData(MakeUniformPoints<3, float>(200000, 46));
+  vtkNew<vtkAngularPeriodicDataArray<float>> turned; // Keeps the last tuple that it was asked for.
+  turned->SetAxis(2);
+  turned->SetAngle(30.0);
+  turned->InitializeArray(vtkFloatArray::SafeDownCast(cloud->GetPoints()->GetData()));
+  vtkNew<vtkPoints> points;
+  points->SetData(turned);
+  cloud->SetPoints(points);
+
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(8);
+  TestedLocator locator(cloud);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  EXPECT_TRUE(locator->FindClosestPoints(turned, ids, dist2));
+  vtkSMPTools::Initialize(0);
+  vtkIdType wrong = 0;
+  for (vtkIdType i = 0; i < 200000; ++i)
+  {
+    double x[3];
+    points->GetPoint(i, x);
+    wrong += locator->FindClosestPoint(x) == i && ids->GetValue(i) == i ? 0 : 1;
+  }
+  EXPECT_EQ(wrong, 0);
 }
