@@ -31,9 +31,10 @@ if (HASHEDOCTREE_HAVE_PYTHON)
     INSTALL_HEADERS     OFF
     BUILD_STATIC        OFF)
   set(package "${HASHEDOCTREE_PYTHON_DIR}/hashedoctree")
-  configure_file(Plugin/CMake/__init__.py.in "${PROJECT_BINARY_DIR}/${package}/__init__.py" @ONLY)
-  configure_file(Filters/Python/arrays.py "${PROJECT_BINARY_DIR}/${package}/arrays.py" COPYONLY)
-  install(FILES "${PROJECT_BINARY_DIR}/${package}/__init__.py" Filters/Python/arrays.py
+  # Where VTK builds the rest of the package, also when the project is within another.
+  configure_file(Plugin/CMake/__init__.py.in "${CMAKE_BINARY_DIR}/${package}/__init__.py" @ONLY)
+  configure_file(Filters/Python/arrays.py "${CMAKE_BINARY_DIR}/${package}/arrays.py" COPYONLY)
+  install(FILES "${CMAKE_BINARY_DIR}/${package}/__init__.py" Filters/Python/arrays.py
     DESTINATION "${package}")
 endif ()
 
