@@ -5,8 +5,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
-#include <algorithm>
-
 namespace hashedoctree
 {
 namespace
@@ -27,8 +25,7 @@ PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
   auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
   if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
   {
-    this->CopyPoints(
-      [dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, true, execution);
+    this->CopyPoints([dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, execution);
     return;
   }
   this->ViewOrCopy(pointSet->GetPoints()->GetData(), execution);
@@ -52,37 +49,24 @@ void PointsAdaptor::ViewOrCopy(vtkDataArray* data, const Execution& execution)
   }
   else
   {
-    this->CopyPoints(
-      [data](vtkIdType id, double* x) { data->GetTuple(id, x); }, HoldsItsTuples(data), execution);
+    this->CopyPoints([data](vtkIdType id, double* x) { data->GetTuple(id, x); },
+      HoldsItsTuples(data) ? execution : execution.OnOneThread());
   }
 }
 
 template <typename GetPoint>
-void PointsAdaptor::CopyPoints(
-  const GetPoint& getPoint, bool onAllThreads, const Execution& execution)
+void PointsAdaptor::CopyPoints(const GetPoint& getPoint, const Execution& execution)
 {
   constexpr std::size_t grain = 8192; // Points that a thread copies at a time.
   this->Copy = Buffer<Position<3>>(this->Count);
-  const auto copy = [this, &getPoint](std::size_t first, std::size_t last)
-  {
-    for (std::size_t i = first; i < last; ++i)
+  execution.For(this->Count, grain,
+    [this, &getPoint](std::size_t first, std::size_t last)
     {
-      getPoint(static_cast<vtkIdType>(i), this->Copy[i].data());
-    }
-  };
-  if (onAllThreads)
-  {
-    execution.For(this->Count, grain, copy);
-  }
-  else
-  {
-    for (std::size_t first = 0; first < this->Count; first += grain)
-    {
-      const std::size_t last = std::min(this->Count, first + grain);
-      copy(first, last);
-      execution.Tell(static_cast<double>(last) / static_cast<double>(this->Count));
-    }
-  }
+      for (std::size_t i = first; i < last; ++i)
+      {
+        getPoint(static_cast<vtkIdType>(i), this->Copy[i].data());
+      }
+    });
   this->Doubles = this->Count > 0 ? this->Copy[0].data() : nullptr;
 }
 }

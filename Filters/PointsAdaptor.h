@@ -39,9 +39,9 @@ public:
 
 private:
   void ViewOrCopy(vtkDataArray* data, const Execution& execution);
-  /** Calls getPoint(i, x) for each point; where not on all threads, on the calling one. */
+  /** Calls getPoint(i, x) for each point. */
   template <typename GetPoint>
-  void CopyPoints(const GetPoint& getPoint, bool onAllThreads, const Execution& execution);
+  void CopyPoints(const GetPoint& getPoint, const Execution& execution);
 
   const float* Floats = nullptr;
   const double* Doubles = nullptr;

@@ -8,6 +8,7 @@
 #include "OctreeCells.h"
 #include "OctreePass.h"
 #include "OctreeTables.h"
+#include "PassFieldData.h"
 #include "StartDepths.h"
 
 #include "vtkDoubleArray.h"
@@ -76,12 +77,10 @@ public:
       cells.MakeVoxels(voxels, cellsExecution);
       nodes = voxels;
     }
-    OctreePass::Outputs outputs{ nodes, histogram, costs };
-    for (vtkDataObject* output : outputs)
-    {
-      this->AddFieldData(output->GetFieldData(), octree, startDepth);
-    }
-    return outputs;
+    this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
+    PassFieldData(nodes, histogram);
+    PassFieldData(nodes, costs);
+    return { nodes, histogram, costs };
   }
 
 private:

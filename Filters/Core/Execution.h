@@ -68,6 +68,9 @@ public:
       this->Stop);
   }
 
+  /** The same on the calling thread alone. */
+  Execution OnOneThread() const { return Execution(Execution().Threads, this->Report, this->Stop); }
+
   /** Calls body on parts of [0, count), batch by batch, while progress moves from `from` to `to`.
    */
   void For(std::size_t count, std::size_t grain, const Body& body, double from = 0.0,
