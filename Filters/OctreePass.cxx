@@ -3,6 +3,7 @@
 
 #include "AlgorithmExecution.h"
 #include "AlgorithmOptions.h"
+#include "BlockStructure.h"
 #include "PassFieldData.h"
 #include "PointsAdaptor.h"
 #include "QuadtreeFrame.h"
@@ -79,7 +80,7 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   for (vtkDataObject* target : targets)
   {
     outputs.push_back(vtkDataObjectTree::SafeDownCast(target));
-    outputs.back()->CopyStructure(input);
+    CopyStructure(input, outputs.back());
     PassFieldData(input, target); // The structure may bring no field data, which VTK relies on.
   }
   const auto blocks = vtk::TakeSmartPointer(input->NewTreeIterator());

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QueryBlocks.h"
 
+#include "BlockStructure.h"
 #include "PassFieldData.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
@@ -19,33 +18,6 @@ namespace hashedoctree
 {
 namespace
 {
-/** Copies the structure of a tree and the field data within it, with vtkMultiBlockDataSets for
- * whatever is composite in it: no other kind may hold composite blocks. */
-void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* copy)
-{
-  const auto children = vtk::TakeSmartPointer(tree->NewTreeIterator());
-  children->VisitOnlyLeavesOff();
-  children->TraverseSubTreeOff();
-  children->SkipEmptyNodesOff();
-  unsigned child = 0;
-  for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
-  {
-    vtkSmartPointer<vtkMultiBlockDataSet> blocks;
-    if (auto* inner = vtkDataObjectTree::SafeDownCast(children->GetCurrentDataObject()))
-    {
-      blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-      CopyStructureToMultiBlock(inner, blocks);
-      PassFieldData(inner, blocks);
-    }
-    copy->SetBlock(child, blocks);
-    if (children->HasCurrentMetaData())
-    {
-      copy->GetMetaData(child)->Copy(children->GetCurrentMetaData());
-    }
-    ++child;
-  }
-}
-
 /** Calls function(iterator, data set) for the blocks that have points, always in the same order. */
 template <typename Function>
 void ForEachBlock(vtkCompositeDataSet* composite, const Function& function)
@@ -131,7 +103,7 @@ void QueryBlocks::FillOutputs() const
     }
     else
     {
-      output->CopyStructure(this->Composite);
+      CopyStructure(this->Composite, output);
     }
     output->SetFieldData(vtkNew<vtkFieldData>()); // The structure brings what the queries have.
     PassFieldData(this->Composite, output);

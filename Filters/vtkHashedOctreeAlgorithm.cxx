@@ -37,8 +37,9 @@ int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(reque
     {
       return 1;
     }
+    const int several = single == VTK_TABLE ? VTK_MULTIBLOCK_DATA_SET : composite;
     vtkDataObjectAlgorithm::SetOutputDataObject(
-      composite < 0 ? single : composite, outputVector->GetInformationObject(port), /*exact=*/true);
+      composite < 0 ? single : several, outputVector->GetInformationObject(port), /*exact=*/true);
   }
   return 1;
 }

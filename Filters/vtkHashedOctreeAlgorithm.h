@@ -5,8 +5,8 @@
  *
  * The properties of the tree, and of where searches in it start: filters with the same values build
  * the same tree. Input port 0 is any vtkPointSet; of composite data sets every block is taken by
- * itself, and the outputs are then composite data sets of its structure, unless the filter says
- * another one. Abstract.
+ * itself, and the outputs are then composite data sets of its structure and, unless they are of
+ * tables, of its kind, where the filter does not say otherwise. Abstract.
  *
  * The tree is an octree or, of points in a plane, a quadtree: a square in two of the coordinates,
  * split into four. Its cells lie in the plane through the lowest third coordinate of the points
@@ -135,8 +135,8 @@ protected:
    * there is none to give. */
   virtual int GetTypeOfOutput(int port, vtkInformationVector** inputVector) = 0;
 
-  /** The type of data object at all output ports when port 0 has a composite data set: the type of
-   * that; negative when it has a single one. */
+  /** The type of data object at all output ports but those of tables when port 0 has a composite
+   * data set: the type of that; negative when it has a single one. */
   virtual int GetTypeOfComposite(vtkInformationVector** inputVector);
 
   bool IncludeEmptyLeaves = false;

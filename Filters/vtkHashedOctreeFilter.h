@@ -12,7 +12,9 @@
  * their weighted median examines the fewest nodes ("Statistical optimization of octree searches",
  * Castro, Lewiner, Lopes, Tavares, Bordignon, 2008).
  *
- * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block.
+ * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block. Outputs
+ * are then composite data sets of its structure: port 0 of its kind, the tables in a
+ * vtkMultiBlockDataSet.
  *
  * Output port 0, the nodes of the tree as cells, ordered by depth, then by Morton key, in a
  * vtkUnstructuredGrid of VTK_VOXEL or, of a quadtree, VTK_PIXEL (Voxels), or in a vtkPolyData of a

@@ -11,7 +11,6 @@
 #include "QueryDepths.h"
 
 #include "vtkCompositeDataSet.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkExtentTranslator.h"
@@ -234,11 +233,10 @@ int vtkHashedOctreeLocateFilter::GetTypeOfOutput(int port, vtkInformationVector*
   {
     return -1;
   }
-  if (port == 0 || vtkDataObjectTree::SafeDownCast(queries) != nullptr)
+  if (port == 0)
   {
     return queries->GetDataObjectType();
   }
-  // An AMR data set holds no tables.
   return vtkCompositeDataSet::SafeDownCast(queries) != nullptr ? VTK_MULTIBLOCK_DATA_SET
                                                                : VTK_TABLE;
 }

@@ -14,13 +14,13 @@
  * in each of which all queries are searched for. Input port 1, required: any vtkDataSet; of
  * composite data sets every block by itself, with a table of its own.
  *
- * Where one input is composite, both outputs are so, with a block for each of its; null where there
- * is nothing to search in or for: of a block without points (or, in input port 0, without finite
- * ones), and of one that is no vtkPointSet (in input port 1, no vtkDataSet). Where both inputs are
- * composite, both outputs are vtkMultiBlockDataSets with the structure of the queries, in which
- * each block of queries is again one, with a block for each of the points; no other composite data
- * set may hold such blocks. Blocks keep their names. Of AMR queries the tables are a
- * vtkMultiBlockDataSet; together with composite points they are an error.
+ * Where one input is composite, both outputs are so, with a block for each of its, the tables in a
+ * vtkMultiBlockDataSet; null where there is nothing to search in or for: of a block without points
+ * (or, in input port 0, without finite ones), and of one that is no vtkPointSet (in input port 1,
+ * no vtkDataSet). Where both inputs are composite, both outputs are vtkMultiBlockDataSets with the
+ * structure of the queries, in which each block of queries is again one, with a block for each of
+ * the points; no other composite data set may hold such blocks. Blocks keep their names. AMR
+ * queries together with composite points are an error.
  *
  * Output port 0, of the kind of the queries: the queries as they are, with point arrays, one value
  * per query (arrays of the same names are replaced):

@@ -127,15 +127,19 @@ TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)
   TestedFilter filter;
   filter->SetInputData(input);
   filter.UpdateWithoutErrors();
-  const auto outputsOfSecond = MakeOutputsOf(second);
-  for (int port = 0; port < 3; ++port)
+  const auto outputs = MakeOutputsOf(second);
+  auto* trees = GetOutput<vtkPartitionedDataSet>(filter, 0);
+  ASSERT_NE(trees, nullptr);
+  ASSERT_EQ(trees->GetNumberOfPartitions(), 2U);
+  EXPECT_NE(trees->GetPartitionAsDataObject(0), nullptr);
+  ExpectSame(trees->GetPartitionAsDataObject(1), outputs[0]);
+  for (std::size_t port = 1; port < 3; ++port)
   {
-    auto* output = GetOutput<vtkPartitionedDataSet>(filter, port);
-    ASSERT_NE(output, nullptr);
-    ASSERT_EQ(output->GetNumberOfPartitions(), 2U);
-    EXPECT_NE(output->GetPartitionAsDataObject(0), nullptr);
-    ExpectSame(
-      output->GetPartitionAsDataObject(1), outputsOfSecond[static_cast<std::size_t>(port)]);
+    auto* tables = GetOutput<vtkMultiBlockDataSet>(filter, static_cast<int>(port));
+    ASSERT_NE(tables, nullptr) << "ParaView draws tables of no other kind";
+    ASSERT_EQ(tables->GetNumberOfBlocks(), 2U);
+    EXPECT_NE(tables->GetBlock(0), nullptr);
+    ExpectSame(tables->GetBlock(1), outputs[port]);
   }
 }
 
@@ -145,18 +149,29 @@ TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
   vtkNew<vtkPartitionedDataSetCollection> input;
   input->SetPartition(0, 0, MakePolyData({}));
   input->SetPartition(2, 1, block);
+  input->GetMetaData(2U)->Set(vtkCompositeDataSet::NAME(), "third");
   TestedFilter filter;
   filter->SetOutputType(vtkHashedOctreeFilter::Voxels);
   filter->SetInputData(input);
   filter.UpdateWithoutErrors();
   const auto outputs = MakeOutputsOf(block);
-  for (int port = 0; port < 3; ++port)
+  auto* trees = GetOutput<vtkPartitionedDataSetCollection>(filter, 0);
+  ASSERT_NE(trees, nullptr);
+  ASSERT_EQ(trees->GetNumberOfPartitionedDataSets(), 3U);
+  EXPECT_EQ(trees->GetPartitionAsDataObject(0, 0), nullptr);
+  ExpectSame(trees->GetPartitionAsDataObject(2, 1), outputs[0]);
+  for (std::size_t port = 1; port < 3; ++port)
   {
-    auto* output = GetOutput<vtkPartitionedDataSetCollection>(filter, port);
-    ASSERT_NE(output, nullptr);
-    ASSERT_EQ(output->GetNumberOfPartitionedDataSets(), 3U);
-    EXPECT_EQ(output->GetPartitionAsDataObject(0, 0), nullptr);
-    ExpectSame(output->GetPartitionAsDataObject(2, 1), outputs[static_cast<std::size_t>(port)]);
+    auto* tables = GetOutput<vtkMultiBlockDataSet>(filter, static_cast<int>(port));
+    ASSERT_NE(tables, nullptr) << "ParaView draws tables of no other kind";
+    ASSERT_EQ(tables->GetNumberOfBlocks(), 3U);
+    EXPECT_STREQ(tables->GetMetaData(2U)->Get(vtkCompositeDataSet::NAME()), "third");
+    auto* empty = vtkMultiBlockDataSet::SafeDownCast(tables->GetBlock(0));
+    auto* third = vtkMultiBlockDataSet::SafeDownCast(tables->GetBlock(2));
+    ASSERT_TRUE(empty && third);
+    EXPECT_EQ(empty->GetBlock(0), nullptr);
+    ASSERT_EQ(third->GetNumberOfBlocks(), 2U);
+    ExpectSame(third->GetBlock(1), outputs[port]);
   }
 }
 
@@ -184,11 +199,15 @@ TEST(TestHashedOctreeFilterComposite, OutputsFollowTheKindOfTheInput)
     }
     filter->SetInputData(collection);
     filter.UpdateWithoutErrors();
-    for (int port = 0; port < 3; ++port)
+    auto* trees = GetOutput<vtkPartitionedDataSetCollection>(filter, 0);
+    ASSERT_NE(trees, nullptr);
+    ExpectSame(trees->GetPartitionAsDataObject(0, 0), outputs[0]);
+    for (std::size_t port = 1; port < 3; ++port)
     {
-      auto* output = GetOutput<vtkPartitionedDataSetCollection>(filter, port);
-      ASSERT_NE(output, nullptr);
-      ExpectSame(output->GetPartitionAsDataObject(0, 0), outputs[static_cast<std::size_t>(port)]);
+      auto* tables = GetOutput<vtkMultiBlockDataSet>(filter, static_cast<int>(port));
+      ASSERT_NE(tables, nullptr);
+      ExpectSame(
+        vtkMultiBlockDataSet::SafeDownCast(tables->GetBlock(0))->GetBlock(0), outputs[port]);
     }
   }
 }

@@ -204,13 +204,14 @@ void ExpectNested(TestedLocateFilter& filter, vtkDataObjectTree* points, vtkData
   }
 }
 
-/** The outputs are of the kind of the one composite input, with a block for each of its. */
+/** The outputs are of the kind of the one composite input, or a vtkMultiBlockDataSet of tables,
+ * with a block for each of its. */
 void ExpectStructure(TestedLocateFilter& filter, vtkDataObjectTree* composite,
   const std::function<void(vtkDataObject*, vtkDataObject*, vtkDataObject*)>& expectBlock)
 {
   ASSERT_TRUE(GetTree(filter, 0) && GetTree(filter, 1));
   EXPECT_EQ(GetTree(filter, 0)->GetDataObjectType(), composite->GetDataObjectType());
-  EXPECT_EQ(GetTree(filter, 1)->GetDataObjectType(), composite->GetDataObjectType());
+  EXPECT_EQ(GetTree(filter, 1)->GetDataObjectType(), VTK_MULTIBLOCK_DATA_SET);
   ForEachPlace(composite,
     [&](vtkDataObjectTreeIterator* place)
     {

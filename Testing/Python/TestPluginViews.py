@@ -30,6 +30,14 @@ assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis
 assert list(shown.SeriesVisibility) == octreetesting.COSTS[1:], list(shown.SeriesVisibility)
 assert view.BottomAxisTitle and view.LeftAxisTitle
 
+# Charts draw the tables of partitioned data sets, too.
+partitions = simple.ConvertToPartitionedDataSetCollection(Input=octree.Input)
+of_partitions = simple.HashedOctree(Input=partitions)
+of_partitions.UpdatePipeline()
+view, shown = show(1, of_partitions)
+series = list(shown.GetProperty("SeriesVisibility").Available)
+assert any(name.startswith("Leaves (") for name in series), series
+
 # Query points without cells must be seen, too.
 locate = simple.HashedOctreeLocate(Input=octree.Input, QueryPoints=simple.PointSource())
 locate.UpdatePipeline()

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef BlockStructure_h
+#define BlockStructure_h
+
+class vtkCompositeDataSet;
+class vtkDataObjectTree;
+class vtkMultiBlockDataSet;
+
+namespace hashedoctree
+{
+/** Copies the structure of a tree of blocks and the field data within it, with
+ * vtkMultiBlockDataSets for whatever is composite in it, which may hold any blocks: composite ones,
+ * or tables that ParaView's charts can draw. Private to the module. */
+void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* copy);
+
+/** Copies the structure of a composite data set to an output, which is of its class or a
+ * vtkMultiBlockDataSet. Private to the module. */
+void CopyStructure(vtkCompositeDataSet* composite, vtkCompositeDataSet* copy);
+}
+
+#endif
