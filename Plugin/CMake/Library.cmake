@@ -45,3 +45,4 @@ configure_package_config_file(Plugin/CMake/HashedOctreeConfig.cmake.in "${config
   INSTALL_DESTINATION "${HASHEDOCTREE_CMAKE_DIR}")
 write_basic_package_version_file("${config}Version.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${config}.cmake" "${config}Version.cmake" DESTINATION "${HASHEDOCTREE_CMAKE_DIR}")
+install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/HashedOctree")

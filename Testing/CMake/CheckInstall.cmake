@@ -24,6 +24,10 @@ foreach (file IN LISTS files)
   endif ()
 endforeach ()
 
+if (NOT EXISTS "${prefix}/share/licenses/HashedOctree/LICENSE")
+  message(SEND_ERROR "The license is not installed")
+endif ()
+
 # What must not leave the library, by its mangled namespace: two versions of the core may be in one program.
 execute_process(COMMAND "${NM}" --dynamic --defined-only "${prefix}/${LIBRARY}"
   OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
