@@ -18,6 +18,7 @@ vtk_module_build(
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/hashedoctree"
   CMAKE_DESTINATION   "${HASHEDOCTREE_CMAKE_DIR}"
   ENABLE_WRAPPING     ON) # writes the class hierarchy that both Python and the plugin's wrappers read
+hashedoctree_own_code(HashedOctree::Filters)
 
 # --- The Python package ----------------------------------------------------------------------------
 if (HASHEDOCTREE_HAVE_PYTHON)

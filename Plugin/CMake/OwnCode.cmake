@@ -9,9 +9,7 @@ function (hashedoctree_own_code target)
   endif ()
   # Clang's -Wconversion includes -Wsign-conversion, GCC's does not.
   target_compile_options("${target}" PRIVATE
-    -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion
-    # Distances are sums of rounded squares, on machines that can fuse the two as well.
-    -ffp-contract=off)
+    -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
   if (HASHEDOCTREE_WERROR)
     target_compile_options("${target}" PRIVATE -Werror)
   endif ()
