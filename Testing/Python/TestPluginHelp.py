@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pages that ParaView shows for the button "?" of a panel: one for each filter and the locator,
-with all their properties."""
+with all their properties, and all columns of the tables that are drawn."""
 import os
 import sqlite3
 import zlib
@@ -33,3 +33,10 @@ for group, proxy in proxies:
     assert len(labels) > 3, labels
     for label in labels:
         assert label in page, (proxy.get("name"), label)
+
+drawn = [element.get("default_values").split(";")[::2]
+         for element in ElementTree.parse(plugin / "HashedOctreeFilter.xml").iter()
+         if element.get("name") == "SeriesVisibility"]
+assert [len(columns) for columns in drawn] == [5, 7], drawn
+for column in sum(drawn, []):
+    assert column in pages["filters.HashedOctree.html"], column
