@@ -205,6 +205,31 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatAsksForTooMuchIsEmpty)
   EXPECT_EQ(dist2->GetNumberOfTuples(), 0);
 }
 
+TEST_F(TestHashedOctreePointLocatorMemory, ABatchWhoseSearchesFailIsEmpty)
+{
+  // The outputs take 48 megabytes, which there are, and what a search keeps as much again.
+  constexpr int count = 3000000;
+  TestedLocator locator(MakePolyData(MakeUniformPoints<3, float>(count, 268)));
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->InsertNextTuple3(0.5, 0.5, 0.5);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  vtkSMPTools::SetBackend("Sequential"); // To start a thread takes more than what is left.
+  locator->BuildLocator();
+  {
+    const MemoryLimit limit(70 * Megabyte);
+    EXPECT_FALSE(locator->FindClosestNPoints(count, queries, ids, dist2));
+  }
+  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the batch finds"));
+  for (vtkDataArray* output : std::initializer_list<vtkDataArray*>{ ids, dist2 })
+  {
+    EXPECT_EQ(output->GetNumberOfTuples(), 0);
+    EXPECT_EQ(output->GetNumberOfComponents(), 1);
+  }
+  EXPECT_TRUE(locator->FindClosestNPoints(count, queries, ids, dist2));
+}
+
 TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatFindsTooMuchIsEmpty)
 {
   // All points for each of the positions: half a gigabyte.
