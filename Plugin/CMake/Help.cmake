@@ -12,13 +12,3 @@ if (ParaView_VERSION VERSION_LESS 5.13)
     set(HASHEDOCTREE_HAVE_HELP ON)
   endif ()
 endif ()
-
-# ParaView's rules make the pages once; they are made anew where a proxy has changed since.
-file(GLOB proxies "${PROJECT_SOURCE_DIR}/Plugin/*.xml")
-set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${proxies})
-set(pages "${PROJECT_BINARY_DIR}/Plugin/paraview_help/HashedOctree")
-foreach (proxy IN LISTS proxies)
-  if ("${proxy}" IS_NEWER_THAN "${pages}.qch")
-    file(REMOVE "${pages}_doc.xslt" "${pages}.qch")
-  endif ()
-endforeach ()
