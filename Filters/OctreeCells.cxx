@@ -128,7 +128,8 @@ void OctreeCells<Dim>::FillVoxels(vtkUnstructuredGrid* output, const Execution& 
   this->AddArrays(output, execution.Part(0.0, 0.2));
   vtkNew<IdArray> connectivity;
   ResizeArray(connectivity.Get(), nodes.GetSize() * size);
-  const NodeCorners<Dim> corners(nodes, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
+  const NodeCorners<Dim> corners(
+    nodes, this->Apart, connectivity->GetPointer(0), execution.Part(0.2, 0.8));
   output->SetPoints(
     MakePoints(this->Tree.GetGrid(), this->Frame, corners, execution.Part(0.8, 0.9)));
   vtkNew<vtkCellArray> cells;
@@ -151,7 +152,7 @@ void OctreeCells<Dim>::FillOutlines(vtkPolyData* output, const Execution& execut
   constexpr std::size_t size = outline.size();
   this->AddArrays(output, execution.Part(0.0, 0.2));
   Buffer<Id> voxels(nodes.GetSize() * NodeCorners<Dim>::CornersOfNode);
-  const NodeCorners<Dim> corners(nodes, voxels.GetData(), execution.Part(0.2, 0.7));
+  const NodeCorners<Dim> corners(nodes, this->Apart, voxels.GetData(), execution.Part(0.2, 0.7));
   output->SetPoints(
     MakePoints(this->Tree.GetGrid(), this->Frame, corners, execution.Part(0.7, 0.8)));
   vtkNew<IdArray> connectivity;

@@ -14,7 +14,8 @@ namespace hashedoctree
  * Nodes of an octree or quadtree as VTK cells, one cell each in the order of the list, with shared
  * corners in double precision and the cell arrays Depth (active), HitCost, RootCost, PointCount and
  * MortonKey. HitCost and RootCost are the nodes that a counted search for the leaf examines from
- * `startDepth` and from the root; 0 on internal nodes, which no search ends at. The tree and the
+ * `startDepth` and from the root; 0 on internal nodes, which no search ends at. The first `apart`
+ * nodes share no corners with others; theirs come last. The tree and the
  * list must outlive it. Both outputs throw Interrupted, and must then be emptied. Instantiated for
  * 2 and 3 dimensions. Private to the module.
  */
@@ -25,11 +26,12 @@ public:
   using Nodes = Buffer<typename Octree<Dim>::Node>;
 
   OctreeCells(const Octree<Dim>& tree, int startDepth, const Nodes& nodes,
-    const TreeFrame<Dim>& frame = TreeFrame<Dim>())
+    const TreeFrame<Dim>& frame = TreeFrame<Dim>(), std::size_t apart = 0)
     : Tree(tree)
     , StartDepth(startDepth)
     , Listed(nodes)
     , Frame(frame)
+    , Apart(apart)
   {
   }
 
@@ -50,6 +52,7 @@ private:
   int StartDepth;
   const Nodes& Listed;
   TreeFrame<Dim> Frame;
+  std::size_t Apart;
 };
 }
 

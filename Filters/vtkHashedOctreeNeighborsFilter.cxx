@@ -36,6 +36,10 @@ namespace
 constexpr double NodesShare = 0.35;
 constexpr double CellsShare = 0.95;
 
+/** The query leaf stands apart: what draws cells leaves out faces that two of them share, which
+ * would be all of it, and draws in the order of the points, so that its edges are drawn last. */
+constexpr std::size_t QueryLeaves = 1;
+
 constexpr std::size_t ChunkSize = 8192; // Neighbours that a thread does at a time.
 
 template <int Dim>
@@ -171,7 +175,7 @@ public:
     vtkNew<vtkUnstructuredGrid> cells;
     const Buffer<Node<Dim>> nodes =
       ListNodes<Dim>(tree, *query, neighbors, execution.Part(OctreePass::BuildShare, NodesShare));
-    OctreeCells<Dim>(tree, startDepth, nodes, octree.Frame)
+    OctreeCells<Dim>(tree, startDepth, nodes, octree.Frame, QueryLeaves)
       .MakeVoxels(cells, execution.Part(NodesShare, CellsShare));
     AddNeighborArrays<Dim>(cells, neighbors, execution.Part(CellsShare, 1.0));
     AddFieldValue<vtkIntArray>(cells->GetFieldData(), "StartDepth", startDepth);

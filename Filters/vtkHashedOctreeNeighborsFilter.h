@@ -24,10 +24,11 @@
  *
  * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block.
  *
- * Output: vtkUnstructuredGrid of one VTK_VOXEL, or VTK_PIXEL, for each leaf, which share corners:
- * the query leaf, then its neighbours in the order of the search, which depends on the tree and the
- * query alone. Cell arrays: Depth, HitCost, RootCost, PointCount, MortonKey as those of
- * vtkHashedOctreeFilter, and
+ * Output: vtkUnstructuredGrid of one VTK_VOXEL, or VTK_PIXEL, for each leaf: the query leaf, then
+ * its neighbours in the order of the search, which depends on the tree and the query alone.
+ * Neighbours share corners; the query leaf has its own, the last points, or surfaces and wireframes
+ * of the output would not have the faces that it shares with neighbours. Cell arrays: Depth,
+ * HitCost, RootCost, PointCount, MortonKey as those of vtkHashedOctreeFilter, and
  * - Role (int): one of Roles;
  * - Case (int, active scalars): one of Cases, how the depth of the neighbour compares with that of
  *   the query leaf, which decides how the search gets to it.

@@ -51,17 +51,17 @@ Cell<Dim> NodeCorners<Dim>::GetCorner(std::size_t corner) const
 
 template <int Dim>
 template <typename Integer>
-NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
+NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes, std::size_t apart,
   Integer* connectivity, const Execution& execution)
   : Codes(nodes.GetSize() * CornersOfNode)
 {
   const std::size_t numberOfNodes = nodes.GetSize();
-  NodeWalk<Dim> walk(nodes, execution.Part(0.0, WalkShare));
+  NodeWalk<Dim> walk(nodes, apart, execution.Part(0.0, WalkShare));
   const Execution rest = execution.Part(WalkShare, 1.0);
   OpenCorners<Dim> open;
   std::array<std::size_t, GroupSize> places;
   std::array<std::array<std::uint64_t, CornersOfNode>, GroupSize> codes;
-  for (std::size_t walked = 0; walked < numberOfNodes; walked += GroupSize)
+  for (std::size_t walked = apart; walked < numberOfNodes; walked += GroupSize)
   {
     const double done = static_cast<double>(walked) / static_cast<double>(numberOfNodes);
     const std::size_t size = std::min(GroupSize, numberOfNodes - walked);
@@ -91,14 +91,23 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes,
     }
   }
   open.Clear(rest);
+  for (std::size_t place = 0; place < apart; ++place)
+  {
+    const NodeExtent<Dim> extent(nodes[place].NodeKey);
+    for (unsigned corner = 0; corner < CornersOfNode; ++corner)
+    {
+      connectivity[place * CornersOfNode + corner] = static_cast<Integer>(this->Count);
+      this->Codes[this->Count++] = EncodeCorner<Dim>(extent.GetCorner(corner));
+    }
+  }
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template class NodeCorners<Dim>;                                                                 \
   template NodeCorners<Dim>::NodeCorners(                                                          \
-    const Buffer<Octree<Dim>::Node>&, int*, const Execution&);                                     \
+    const Buffer<Octree<Dim>::Node>&, std::size_t, int*, const Execution&);                        \
   template NodeCorners<Dim>::NodeCorners(                                                          \
-    const Buffer<Octree<Dim>::Node>&, long long*, const Execution&);
+    const Buffer<Octree<Dim>::Node>&, std::size_t, long long*, const Execution&);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)

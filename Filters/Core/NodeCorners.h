@@ -4,6 +4,7 @@
 
 #include "Octree.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace hashedoctree
@@ -23,14 +24,15 @@ public:
    * Numbers the corners of `nodes`, which may be listed in any order, as they are met on a walk
    * along the Morton curve (NodeWalk). Writes CornersOfNode numbers for each node to
    * `connectivity`, in the order of the list; bit a of a corner's place in its node says that it is
-   * the upper one on axis a, so the first axis is the LOW bit, as in a VTK_VOXEL. O(nodes) where
+   * the upper one on axis a, so the first axis is the LOW bit, as in a VTK_VOXEL. The first `apart`
+   * nodes of the list share no corner with any other; theirs have the last numbers. O(nodes) where
    * they are ordered by depth, then by key; one thread. Beside the results it takes memory for the
    * corners that nodes further along the curve can share, only. Throws Interrupted. Instantiated
    * for int and long long; the numbers must fit.
    */
   template <typename Integer>
-  NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes, Integer* connectivity,
-    const Execution& execution);
+  NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes, std::size_t apart,
+    Integer* connectivity, const Execution& execution);
 
   std::size_t GetNumberOfCorners() const { return this->Count; }
 

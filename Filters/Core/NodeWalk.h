@@ -12,8 +12,8 @@
 namespace hashedoctree
 {
 /**
- * The nodes of a list along the Morton curve, whatever their depths: by the first cell of MaxDepth
- * that they hold, and of those with the same one the first of the list first.
+ * The nodes of a list, from one on, along the Morton curve, whatever their depths: by the first
+ * cell of MaxDepth that they hold, and of those with the same one the first of the list first.
  *
  * Pieces of the list that are in this order already are merged. A list by depth, then by key, as
  * ListNodes() makes it, has no more of them than depths. O(1 + log(pieces)) for each node; nothing
@@ -25,18 +25,18 @@ class NodeWalk
 public:
   using Nodes = Buffer<typename Octree<Dim>::Node>;
 
-  /** Finds the pieces, O(nodes). Throws Interrupted. */
-  NodeWalk(const Nodes& nodes, const Execution& execution)
+  /** Finds the pieces from the place `begin` on, O(nodes). Throws Interrupted. */
+  NodeWalk(const Nodes& nodes, std::size_t begin, const Execution& execution)
     : Listed(nodes)
   {
     const std::size_t size = nodes.GetSize();
-    for (std::size_t place = 0; place < size; ++place)
+    for (std::size_t place = begin; place < size; ++place)
     {
       if (place % BatchSize == 0)
       {
         execution.Tell(static_cast<double>(place) / static_cast<double>(size));
       }
-      if (place == 0 || this->GetFirstKey(place) < this->GetFirstKey(place - 1))
+      if (place == begin || this->GetFirstKey(place) < this->GetFirstKey(place - 1))
       {
         this->Pieces.push_back({ this->GetFirstKey(place), place, place });
       }
@@ -45,7 +45,7 @@ public:
     std::make_heap(this->Pieces.begin(), this->Pieces.end());
   }
 
-  /** Place in the list of the next node. Not more often than there are nodes. */
+  /** Place in the list of the next node. Not more often than there are nodes from `begin` on. */
   std::size_t Next()
   {
     std::pop_heap(this->Pieces.begin(), this->Pieces.end());

@@ -15,12 +15,14 @@ using namespace hashedoctree;
 
 namespace
 {
-/** Compares the corners of nodes with what their keys say. */
+/** Compares the corners of nodes, of which the first are apart, with what their keys say. */
 template <int Dim>
-void CheckCorners(const Buffer<typename Octree<Dim>::Node>& nodes)
+void CheckCorners(const Buffer<typename Octree<Dim>::Node>& nodes, std::size_t apart)
 {
+  SCOPED_TRACE(apart);
   std::vector<long long> connectivity(nodes.GetSize() << Dim);
-  const NodeCorners<Dim> corners(nodes, connectivity.data(), Execution());
+  const NodeCorners<Dim> corners(nodes, apart, connectivity.data(), Execution());
+  const std::size_t shared = corners.GetNumberOfCorners() - (apart << Dim);
   std::set<Cell<Dim>> distinct;
   for (std::size_t node = 0; node < nodes.GetSize(); ++node)
   {
@@ -37,10 +39,16 @@ void CheckCorners(const Buffer<typename Octree<Dim>::Node>& nodes)
       const auto number = static_cast<std::size_t>(connectivity[(node << Dim) + corner]);
       ASSERT_LT(number, corners.GetNumberOfCorners());
       ASSERT_EQ(corners.GetCorner(number), expected);
+      if (node < apart)
+      {
+        ASSERT_EQ(number, shared + (node << Dim) + corner);
+        continue;
+      }
+      ASSERT_LT(number, shared);
       distinct.insert(expected);
     }
   }
-  EXPECT_EQ(corners.GetNumberOfCorners(), distinct.size());
+  EXPECT_EQ(shared, distinct.size());
 }
 
 /** Nodes, and what numbering their corners tells of its progress. */
@@ -66,7 +74,7 @@ struct Numbering
   std::size_t Number(const Execution::Progress& progress) const
   {
     std::vector<int> connectivity(8 * this->Nodes.GetSize());
-    return NodeCorners<3>(this->Nodes, connectivity.data(), Execution(OnThreads(1), progress))
+    return NodeCorners<3>(this->Nodes, 0, connectivity.data(), Execution(OnThreads(1), progress))
       .GetNumberOfCorners();
   }
 
@@ -100,7 +108,10 @@ TYPED_TEST(TestNodeCorners, CornersAreWhereTheyShouldBeAndShared)
       {
         std::shuffle(nodes.GetData(), nodes.GetData() + nodes.GetSize(), random);
       }
-      CheckCorners<dim>(nodes);
+      for (const std::size_t apart : { std::size_t(0), std::size_t(1), nodes.GetSize() })
+      {
+        CheckCorners<dim>(nodes, apart);
+      }
     }
   }
 }

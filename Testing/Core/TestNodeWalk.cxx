@@ -17,19 +17,30 @@ namespace
 template <int Dim>
 using Nodes = Buffer<typename Octree<Dim>::Node>;
 
-/** Walks along the nodes and compares with places that were sorted. */
+/** Walks along the nodes from a place on and compares with places that were sorted. */
 template <int Dim>
-void CheckWalk(const Nodes<Dim>& nodes)
+void CheckWalk(const Nodes<Dim>& nodes, std::size_t begin)
 {
-  std::vector<std::size_t> expected(nodes.GetSize());
-  std::iota(expected.begin(), expected.end(), 0);
+  std::vector<std::size_t> expected(nodes.GetSize() - begin);
+  std::iota(expected.begin(), expected.end(), begin);
   std::stable_sort(expected.begin(), expected.end(),
     [&nodes](std::size_t a, std::size_t b)
     { return nodes[a].NodeKey.GetFirstAtMaxDepth() < nodes[b].NodeKey.GetFirstAtMaxDepth(); });
-  NodeWalk<Dim> walk(nodes, Execution());
+  NodeWalk<Dim> walk(nodes, begin, Execution());
   for (const std::size_t place : expected)
   {
     ASSERT_EQ(walk.Next(), place);
+  }
+}
+
+/** Walks along all nodes, along all but one, and along none. */
+template <int Dim>
+void CheckWalks(const Nodes<Dim>& nodes)
+{
+  for (const std::size_t begin : { std::size_t(0), std::size_t(1), nodes.GetSize() })
+  {
+    SCOPED_TRACE(begin);
+    CheckWalk<Dim>(nodes, std::min(begin, nodes.GetSize()));
   }
 }
 }
@@ -51,11 +62,11 @@ TYPED_TEST(TestNodeWalk, FollowsTheCurveWhateverTheOrderOfTheList)
     SCOPED_TRACE(sample.Name);
     const SampleTree<dim, double> made(sample);
     Nodes<dim> nodes = ListNodes(made.Tree, NodeListOptions{ true, true }, Execution());
-    CheckWalk<dim>(nodes);
+    CheckWalks<dim>(nodes);
     std::reverse(nodes.GetData(), nodes.GetData() + nodes.GetSize());
-    CheckWalk<dim>(nodes);
+    CheckWalks<dim>(nodes);
     std::shuffle(nodes.GetData(), nodes.GetData() + nodes.GetSize(), random);
-    CheckWalk<dim>(nodes);
+    CheckWalks<dim>(nodes);
   }
 }
 
@@ -63,7 +74,7 @@ TYPED_TEST(TestNodeWalk, WalksAlongNoNodesAndToTheLastCellOfAll)
 {
   constexpr int dim = TypeParam::value;
   using Key = MortonKey<dim>;
-  CheckWalk<dim>(Nodes<dim>());
+  CheckWalks<dim>(Nodes<dim>());
   const Key last = Key::Root().GetLastAtMaxDepth();
   Nodes<dim> nodes(4);
   std::size_t place = 0;
@@ -71,7 +82,7 @@ TYPED_TEST(TestNodeWalk, WalksAlongNoNodesAndToTheLastCellOfAll)
   {
     nodes[place++] = { key, 0, 0, false };
   }
-  CheckWalk<dim>(nodes);
+  CheckWalks<dim>(nodes);
 }
 
 TEST(TestNodeWalkFacts, LooksAtAnAbortWhileItFindsThePieces)
@@ -88,7 +99,7 @@ TEST(TestNodeWalkFacts, LooksAtAnAbortWhileItFindsThePieces)
       looks.push_back(fraction);
       return looks.size() < looksToStop;
     };
-    NodeWalk<3>(nodes, Execution(OnThreads(1), look));
+    NodeWalk<3>(nodes, 0, Execution(OnThreads(1), look));
   };
   walk(manyNodes);
   EXPECT_EQ(looks.front(), 0.0);

@@ -14,7 +14,7 @@ TEST(TestOpenCorners, KeepsTheNumbersOfTheOpenOnesAndForgetsMostOthers)
 {
   const SampleTree<2, double> made({ "many", MakeUniformPoints<2, double>(100000, 128) });
   const auto nodes = ListNodes(made.Tree, NodeListOptions{ true, false }, Execution());
-  NodeWalk<2> walk(nodes, Execution());
+  NodeWalk<2> walk(nodes, 0, Execution());
   OpenCorners<2> open;
   std::map<std::uint64_t, std::uint64_t> expected;
   std::size_t mostBytes = 0;

@@ -6,6 +6,8 @@
 #include "TestedFilter.h"
 #include "TestedNeighborsFilter.h"
 
+#include "vtkDataSetSurfaceFilter.h"
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -120,14 +122,22 @@ void ExpectCellsOf(TestedNeighborsFilter& filter, const ShownLeaves& leaves)
     filter.GetCells()->GetCellBounds(cell, bounds.data());
     ASSERT_EQ(bounds, leaves.GetBounds(leaf));
     ASSERT_EQ(filter.GetCells()->GetCellType(cell), VTK_VOXEL);
-    for (int corner = 0; corner < 8; ++corner)
+    for (int corner = 0; cell != 0 && corner < 8; ++corner)
     {
       corners.insert(
         { bounds[corner & 1], bounds[2 + (corner >> 1 & 1)], bounds[4 + (corner >> 2 & 1)] });
     }
   }
-  EXPECT_EQ(static_cast<std::size_t>(filter.GetCells()->GetNumberOfPoints()), corners.size())
-    << "neighbours share corners";
+  EXPECT_EQ(static_cast<std::size_t>(filter.GetCells()->GetNumberOfPoints()), corners.size() + 8)
+    << "neighbours share corners, but not with the query leaf";
+  vtkIdType sizeOfQuery;
+  const vtkIdType* cornersOfQuery;
+  vtkNew<vtkIdList> buffer;
+  filter.GetCells()->GetCells()->GetCellAtId(0, sizeOfQuery, cornersOfQuery, buffer);
+  for (vtkIdType corner = 0; corner < sizeOfQuery; ++corner)
+  {
+    EXPECT_EQ(cornersOfQuery[corner], static_cast<vtkIdType>(corners.size()) + corner);
+  }
 }
 
 /** Role and Case of each cell, and their numbers in the field data. */
@@ -250,6 +260,23 @@ TEST(TestHashedOctreeNeighborsFilter, InRadiusAreTheLeavesThatMeetTheBallAroundT
         }
       }
     });
+}
+
+TEST(TestHashedOctreeNeighborsFilter, SurfacesHaveAllFacesOfTheQueryLeafAndDrawThemLast)
+{
+  TestedNeighborsFilter filter(MakeUniformPoints<3, double>(2000, 85));
+  filter->SetCenter(0.5, 0.5, 0.5);
+  filter.Update();
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(filter.GetCells());
+  surface->Update();
+  vtkDataArray* roles = surface->GetOutput()->GetCellData()->GetArray("Role");
+  const vtkIdType faces = roles->GetNumberOfTuples();
+  ASSERT_GT(faces, 6);
+  for (vtkIdType face = 0; face < faces; ++face)
+  {
+    ASSERT_EQ(roles->GetComponent(face, 0), face < faces - 6 ? Filter::Neighbor : Filter::Query);
+  }
 }
 
 TEST(TestHashedOctreeNeighborsFilter, KeyAndPositionAgree)
