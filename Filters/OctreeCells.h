@@ -15,9 +15,9 @@ namespace hashedoctree
  * corners in double precision and the cell arrays Depth (active), HitCost, RootCost, PointCount and
  * MortonKey. HitCost and RootCost are the nodes that a counted search for the leaf examines from
  * `startDepth` and from the root; 0 on internal nodes, which no search ends at. The first `apart`
- * nodes share no corners with others; theirs come last. The tree and the
- * list must outlive it. Both outputs throw Interrupted, and must then be emptied. Instantiated for
- * 2 and 3 dimensions. Private to the module.
+ * nodes share no corners with others; theirs come last. The tree and the list must outlive it. Both
+ * outputs throw Interrupted, and must then be emptied. Instantiated for 2 and 3 dimensions. Private
+ * to the module.
  */
 template <int Dim>
 class OctreeCells

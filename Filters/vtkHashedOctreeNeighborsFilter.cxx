@@ -36,8 +36,8 @@ namespace
 constexpr double NodesShare = 0.35;
 constexpr double CellsShare = 0.95;
 
-/** The query leaf stands apart: what draws cells leaves out faces that two of them share, which
- * would be all of it, and draws in the order of the points, so that its edges are drawn last. */
+/** The query leaf stands apart: what draws boxes leaves out faces that two of them share, all of it
+ * among neighbours of its depth, and goes by the points, so that its edges are drawn last. */
 constexpr std::size_t QueryLeaves = 1;
 
 constexpr std::size_t ChunkSize = 8192; // Neighbours that a thread does at a time.
