@@ -52,10 +52,10 @@ void ThreadTeam::Follow()
   std::unique_lock<std::mutex> lock(this->Mutex);
   while (!this->IsDone)
   {
-    if (this->Next < this->Last)
+    if (this->First < this->Last)
     {
       ++this->Busy;
-      this->DoParts(lock);
+      this->DoParts(lock, Side::Back);
       --this->Busy;
       this->Changed.notify_all();
     }
@@ -70,7 +70,7 @@ void ThreadTeam::DoLoop(
   std::size_t first, std::size_t last, std::size_t grain, const Execution::Body& body)
 {
   std::unique_lock<std::mutex> lock(this->Mutex);
-  this->Next = first;
+  this->First = first;
   this->Last = last;
   this->Grain = grain;
   this->Body = &body;
@@ -78,7 +78,7 @@ void ThreadTeam::DoLoop(
   {
     this->Changed.notify_all();
   }
-  this->DoParts(lock);
+  this->DoParts(lock, Side::Front);
   this->Changed.wait(lock, [this] { return this->Busy == 0; });
   if (this->Error)
   {
@@ -86,18 +86,16 @@ void ThreadTeam::DoLoop(
   }
 }
 
-void ThreadTeam::DoParts(std::unique_lock<std::mutex>& lock)
+void ThreadTeam::DoParts(std::unique_lock<std::mutex>& lock, Side side)
 {
-  while (this->Next < this->Last)
+  while (this->First < this->Last)
   {
-    const std::size_t from = this->Next;
-    const std::size_t to = std::min(this->Last, from + this->Grain);
-    this->Next = to;
+    const Part part = this->TakePart(side);
     lock.unlock();
     std::exception_ptr error;
     try
     {
-      (*this->Body)(from, to);
+      (*this->Body)(part.First, part.Last);
     }
     catch (...)
     {
@@ -107,8 +105,22 @@ void ThreadTeam::DoParts(std::unique_lock<std::mutex>& lock)
     if (error)
     {
       this->Error = this->Error ? this->Error : error;
-      this->Next = this->Last; // The rest is of no use.
+      this->First = this->Last; // The rest is of no use.
     }
   }
+}
+
+ThreadTeam::Part ThreadTeam::TakePart(Side side)
+{
+  const std::size_t count = this->Last - this->First;
+  if (side == Side::Front)
+  {
+    const std::size_t first = this->First;
+    this->First += std::min(count, this->Grain);
+    return { first, this->First };
+  }
+  const std::size_t last = this->Last;
+  this->Last = this->First + (count - 1) / this->Grain * this->Grain; // The short part is the last.
+  return { this->Last, last };
 }
 }

@@ -9,11 +9,14 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 using namespace hashedoctree;
 
@@ -93,6 +96,41 @@ TEST(TestThreadTeam, OthersHelpTheLeader)
         EXPECT_EQ(helpers.size(), 2U) << loop;
         // Now the other one waits for the next loop, and must be told of it.
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      }
+    });
+}
+
+TEST(TestThreadTeam, TheLeaderBeginsAtTheFrontTheOthersAtTheBack)
+{
+  using Part = std::pair<std::size_t, std::size_t>;
+  std::mutex mutex;
+  std::map<std::thread::id, std::vector<Part>> parts;
+  std::condition_variable changed;
+  ThreadTeam::Run(Execution(OnThreads(2)), 2,
+    [&](const Execution& execution)
+    {
+      const std::thread::id leader = std::this_thread::get_id();
+      for (int loop = 0; loop < 3; ++loop)
+      {
+        parts.clear();
+        execution.For(11, 2,
+          [&](std::size_t first, std::size_t last)
+          {
+            std::unique_lock<std::mutex> lock(mutex);
+            parts[std::this_thread::get_id()].push_back({ first, last });
+            changed.notify_all();
+            changed.wait_for(
+              lock, std::chrono::seconds(20), [&parts] { return parts.size() == 2; });
+          });
+        ASSERT_EQ(parts.size(), 2U);
+        const auto& front = parts[leader];
+        const auto& back =
+          parts.begin()->first == leader ? parts.rbegin()->second : parts.begin()->second;
+        EXPECT_EQ(front.front(), Part(0, 2));
+        EXPECT_EQ(back.front(), Part(10, 11));
+        EXPECT_TRUE(std::is_sorted(front.begin(), front.end()));
+        EXPECT_TRUE(std::is_sorted(back.rbegin(), back.rend()));
+        EXPECT_EQ(front.back().second, back.back().first);
       }
     });
 }
