@@ -118,7 +118,8 @@ private:
 
   Point* Data(bool scratch) { return scratch ? this->Scratch : this->Points.GetData(); }
 
-  /** Splits a range by one digit, all threads together, and appends what has to be sorted yet. */
+  /** Splits a range by one digit, all threads together, and appends what has to be sorted yet, the
+   * first last. */
   void Partition(const Range& range, std::vector<Range>& rest)
   {
     const Point* from = this->Data(range.InScratch) + range.First;
@@ -170,7 +171,7 @@ private:
     this->ForChunks(count,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
       { Scatter(from + first, from + last, digit, offsets[chunk], to); });
-    for (std::size_t place = 0; place < digit.GetCount(); ++place)
+    for (std::size_t place = digit.GetCount(); place-- > 0;)
     {
       if (starts[place] != starts[place + 1])
       {
