@@ -67,12 +67,37 @@ Buffer<Real> MakeCoordinates(std::size_t numberOfPoints)
 }
 }
 
+/** Points in their order, [First, Last). */
+template <int Dim, typename Real>
+struct PointTree<Dim, Real>::PointRange
+{
+  PointIndex First;
+  PointIndex Last;
+};
+
 /** Cells of MaxDepth between two corners, both of them included. */
 template <int Dim, typename Real>
 struct PointTree<Dim, Real>::CellBox
 {
   Cell<Dim> Lower;
   Cell<Dim> Upper;
+
+  static CellBox OfNone()
+  {
+    CellBox none;
+    none.Lower.fill(~std::uint32_t(0));
+    none.Upper.fill(0);
+    return none;
+  }
+
+  void Add(const CellBox& other)
+  {
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      this->Lower[axis] = std::min(this->Lower[axis], other.Lower[axis]);
+      this->Upper[axis] = std::max(this->Upper[axis], other.Upper[axis]);
+    }
+  }
 };
 
 /** A block with all that is below it, and the cells that its points lie in. */
@@ -143,26 +168,55 @@ std::size_t PointTree<Dim, Real>::GetBytes() const
 /** Copies the points of a leaf, which must not be empty, and returns the cells that they lie in. */
 template <int Dim, typename Real>
 typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
-  PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint)
+  const PointRange& leaf, PointSpan<Dim, Real> points, const Execution& execution)
 {
-  const std::size_t count = lastPoint - firstPoint;
+  const std::size_t count = leaf.Last - leaf.First;
+  if (count <= MostPointsOfTask)
+  {
+    return this->CopyPart(leaf, leaf, points);
+  }
+  std::vector<CellBox> boxes(Execution::GetNumberOfChunks(count, MostPointsOfTask));
+  execution.ForChunks(
+    count, MostPointsOfTask,
+    [&](std::size_t chunk, std::size_t first, std::size_t last)
+    {
+      const PointRange part{ static_cast<PointIndex>(leaf.First + first),
+        static_cast<PointIndex>(leaf.First + last) };
+      boxes[chunk] = this->CopyPart(part, leaf, points);
+    },
+    1.0, 1.0);
+  CellBox whole = CellBox::OfNone();
+  for (const CellBox& box : boxes)
+  {
+    whole.Add(box);
+  }
+  return whole;
+}
+
+/** Copies some points of a leaf, at least one, and returns the cells that they lie in. */
+template <int Dim, typename Real>
+typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyPart(
+  const PointRange& part, const PointRange& leaf, PointSpan<Dim, Real> points)
+{
   const std::size_t end = this->GetNumberOfPoints();
   if (end > MostInSecondCache)
   {
-    Prefetch(points, this->Ids + std::min(firstPoint + PointsAhead, end),
-      this->Ids + std::min(lastPoint + PointsAhead, end));
+    Prefetch(points, this->Ids + std::min(part.First + PointsAhead, end),
+      this->Ids + std::min(part.Last + PointsAhead, end));
   }
-  Real* leaf = this->Coordinates + Dim * static_cast<std::size_t>(firstPoint);
+  const std::size_t count = leaf.Last - leaf.First;
+  Real* coordinates =
+    this->Coordinates + Dim * static_cast<std::size_t>(leaf.First) + (part.First - leaf.First);
   std::array<Real, Dim> lower;
   std::array<Real, Dim> upper;
   lower.fill(std::numeric_limits<Real>::max());
   upper.fill(std::numeric_limits<Real>::lowest());
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < part.Last - part.First; ++i)
   {
-    const Real* x = points[this->Ids[firstPoint + i]];
+    const Real* x = points[this->Ids[part.First + i]];
     for (std::size_t axis = 0; axis < Dim; ++axis)
     {
-      leaf[axis * count + i] = x[axis];
+      coordinates[axis * count + i] = x[axis];
       lower[axis] = std::min(lower[axis], x[axis]);
       upper[axis] = std::max(upper[axis], x[axis]);
     }
@@ -176,15 +230,13 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
  * lie in. */
 template <int Dim, typename Real>
 template <typename GetBox>
-typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyBlock(
-  std::uint32_t block, PointSpan<Dim, Real> points, const GetBox& getBox)
+typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyBlock(std::uint32_t block,
+  PointSpan<Dim, Real> points, const Execution& execution, const GetBox& getBox)
 {
   const auto& children = this->Tree.GetBlock(block);
   const auto octants = this->Tree.GetOctants(block);
   const int depth = this->Tree.GetBlockKey(block).GetDepth();
-  CellBox whole;
-  whole.Lower.fill(~std::uint32_t(0));
-  whole.Upper.fill(0);
+  CellBox whole = CellBox::OfNone();
   for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
   {
     if ((octants.Occupied >> octant & 1U) == 0)
@@ -193,14 +245,14 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyBlock(
     }
     const CellBox box = (octants.Internal >> octant & 1U) != 0
       ? getBox(this->Tree.GetChildBlock(block, octant))
-      : this->CopyLeaf(points, children.FirstPoint[octant], children.FirstPoint[octant + 1]);
+      : this->CopyLeaf(
+          { children.FirstPoint[octant], children.FirstPoint[octant + 1] }, points, execution);
     for (int axis = 0; axis < Dim; ++axis)
     {
       this->Boxes[block].Lower[axis][octant] = GetStep<Dim>(box.Lower[axis], depth);
       this->Boxes[block].Upper[axis][octant] = GetLastStep<Dim>(box.Upper[axis], depth);
-      whole.Lower[axis] = std::min(whole.Lower[axis], box.Lower[axis]);
-      whole.Upper[axis] = std::max(whole.Upper[axis], box.Upper[axis]);
     }
+    whole.Add(box);
   }
   this->Forks[block] = this->IsLink(block) ? this->Forks[octants.FirstChild] : block;
   return whole;
@@ -209,23 +261,24 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyBlock(
 /** Copies all points below a block, in their order. */
 template <int Dim, typename Real>
 typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopySubtree(
-  std::uint32_t block, PointSpan<Dim, Real> points)
+  std::uint32_t block, PointSpan<Dim, Real> points, const Execution& execution)
 {
-  return this->CopyBlock(
-    block, points, [&](std::uint32_t child) { return this->CopySubtree(child, points); });
+  return this->CopyBlock(block, points, execution,
+    [&](std::uint32_t child) { return this->CopySubtree(child, points, execution); });
 }
 
 /** Copies the points below a block that are not in the next subtrees, and passes over these. */
 template <int Dim, typename Real>
 typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyAbove(std::uint32_t block,
-  PointSpan<Dim, Real> points, const std::vector<Subtree>& subtrees, std::size_t& next)
+  PointSpan<Dim, Real> points, const Execution& execution, const std::vector<Subtree>& subtrees,
+  std::size_t& next)
 {
   if (next < subtrees.size() && subtrees[next].Block == block)
   {
     return subtrees[next++].Box;
   }
-  return this->CopyBlock(block, points,
-    [&](std::uint32_t child) { return this->CopyAbove(child, points, subtrees, next); });
+  return this->CopyBlock(block, points, execution,
+    [&](std::uint32_t child) { return this->CopyAbove(child, points, execution, subtrees, next); });
 }
 
 /** Appends the largest subtrees, in their order, that are small enough for a task. */
@@ -256,7 +309,7 @@ void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Executi
   {
     if (this->GetNumberOfPoints() > 0)
     {
-      this->CopyLeaf(points, 0, static_cast<PointIndex>(this->GetNumberOfPoints()));
+      this->CopyLeaf({ 0, static_cast<PointIndex>(this->GetNumberOfPoints()) }, points, execution);
     }
     return;
   }
@@ -267,16 +320,17 @@ void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Executi
   // Leaves in the order of their points in memory, whatever their depths.
   std::vector<Subtree> subtrees;
   this->ListSubtrees(0, subtrees);
+  const Execution alone;
   execution.For(subtrees.size(), 1,
     [&](std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        subtrees[i].Box = this->CopySubtree(subtrees[i].Block, points);
+        subtrees[i].Box = this->CopySubtree(subtrees[i].Block, points, alone);
       }
     });
   std::size_t next = 0;
-  this->CopyAbove(0, points, subtrees, next);
+  this->CopyAbove(0, points, execution, subtrees, next);
 }
 
 template <int Dim, typename Real>
@@ -333,30 +387,42 @@ void PointTree<Dim, Real>::BuildNestedIn(
   }
   // The leaf's ids ascend, so points that the nested tree numbers in this order keep their order.
   Buffer<Real> own(Dim * count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    std::copy_n(points[ids[i]], Dim, &own[Dim * i]);
-  }
+  execution.ForChunks(
+    count, MostPointsOfTask,
+    [&](std::size_t, std::size_t chunkFirst, std::size_t last)
+    {
+      for (std::size_t i = chunkFirst; i < last; ++i)
+      {
+        std::copy_n(points[ids[i]], Dim, &own[Dim * i]);
+      }
+    },
+    0.0, 0.05);
   const PointSpan<Dim, Real> span{ own.GetData(), count };
-  const PointSelection<Dim> selection(span, {}, execution.Part(0.0, 0.1));
+  const PointSelection<Dim> selection(span, {}, execution.Part(0.05, 0.1));
   this->NestedTrees.push_back({ leaf.FirstPoint,
     PointTree(span, selection, this->Tree.GetOptions(), execution.Part(0.1, 1.0), Buffer<Real>(),
       this->Coordinates + Dim * static_cast<std::size_t>(leaf.FirstPoint)) });
-  this->NestedTrees.back().Points.TranslateIds(ids);
+  this->NestedTrees.back().Points.TranslateIds(ids, execution);
 }
 
 /** From places in a list of ids to the ids that stand there. */
 template <int Dim, typename Real>
-void PointTree<Dim, Real>::TranslateIds(const PointIndex* ids)
+void PointTree<Dim, Real>::TranslateIds(const PointIndex* ids, const Execution& execution)
 {
   Buffer<PointIndex> translated(this->GetNumberOfPoints());
-  std::transform(this->Ids, this->Ids + this->GetNumberOfPoints(), translated.GetData(),
-    [ids](PointIndex place) { return ids[place]; });
+  execution.ForChunks(
+    translated.GetSize(), MostPointsOfTask,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      std::transform(this->Ids + first, this->Ids + last, &translated[first],
+        [ids](PointIndex place) { return ids[place]; });
+    },
+    1.0, 1.0);
   this->OwnIds = std::move(translated);
   this->Ids = this->OwnIds.GetData();
   for (Nested& nested : this->NestedTrees)
   {
-    nested.Points.TranslateIds(ids);
+    nested.Points.TranslateIds(ids, execution);
   }
 }
 

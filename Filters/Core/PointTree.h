@@ -88,6 +88,7 @@ public:
 
 private:
   struct Nested;
+  struct PointRange;
   struct CellBox;
   struct Subtree;
 
@@ -98,17 +99,19 @@ private:
 
   void CopyPoints(PointSpan<Dim, Real> points, const Execution& execution);
   void ListSubtrees(std::uint32_t block, std::vector<Subtree>& subtrees) const;
-  CellBox CopySubtree(std::uint32_t block, PointSpan<Dim, Real> points);
-  CellBox CopyAbove(std::uint32_t block, PointSpan<Dim, Real> points,
+  CellBox CopySubtree(std::uint32_t block, PointSpan<Dim, Real> points, const Execution& execution);
+  CellBox CopyAbove(std::uint32_t block, PointSpan<Dim, Real> points, const Execution& execution,
     const std::vector<Subtree>& subtrees, std::size_t& next);
   template <typename GetBox>
-  CellBox CopyBlock(std::uint32_t block, PointSpan<Dim, Real> points, const GetBox& getBox);
-  CellBox CopyLeaf(PointSpan<Dim, Real> points, PointIndex firstPoint, PointIndex lastPoint);
+  CellBox CopyBlock(std::uint32_t block, PointSpan<Dim, Real> points, const Execution& execution,
+    const GetBox& getBox);
+  CellBox CopyLeaf(const PointRange& leaf, PointSpan<Dim, Real> points, const Execution& execution);
+  CellBox CopyPart(const PointRange& part, const PointRange& leaf, PointSpan<Dim, Real> points);
   std::size_t FindFirstBlockAt(int depth) const;
   void BuildNested(PointSpan<Dim, Real> points, const Execution& execution);
   void BuildNestedIn(
     typename Octree<Dim>::Node leaf, PointSpan<Dim, Real> points, const Execution& execution);
-  void TranslateIds(const PointIndex* ids);
+  void TranslateIds(const PointIndex* ids, const Execution& execution);
 
   Octree<Dim> Tree;
   std::size_t MostInLeaf = 0;

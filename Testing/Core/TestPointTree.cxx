@@ -140,22 +140,27 @@ TYPED_TEST(TestPointTree, HoldsAllPointsHoweverTheyAreSharedOutToThreads)
 {
   constexpr int dim = TestFixture::Dim;
   constexpr int deepest = MortonKey<dim>::MaxDepth;
-  // Half of them in one corner: there are small and large subtrees, and leaves above them.
-  PointSample<dim, float> sample{ "halves", MakeUniformPoints<dim, float>(50000, 142) };
-  const auto dense = MakeUniformPoints<dim, float>(50000, 143, 0.0, 1e-3);
-  sample.Coordinates.insert(sample.Coordinates.end(), dense.begin(), dense.end());
-  const PointSelection<dim> selection(sample.GetSpan(), {}, Execution());
-  // Small leaves; leaves of which few make a task; leaves larger than a task, at the last depth.
-  for (const auto& options : { typename PointTree<dim, float>::Options{ 8, deepest },
-         { 5000, deepest }, { 1, 1 }, { 8, 11 / dim } })
+  // Half of them in one corner: there are small and large subtrees, and leaves above them. In the
+  // smaller corner they are all in one leaf, with a nested tree.
+  for (const double corner : { 1e-3, 1e-12 })
   {
-    SCOPED_TRACE(
-      std::to_string(options.MaxPointsPerLeaf) + ", " + std::to_string(options.MaxDepth));
-    for (const unsigned threads : { 1U, 4U })
+    PointSample<dim, float> sample{ "halves", MakeUniformPoints<dim, float>(50000, 142) };
+    const auto dense = MakeUniformPoints<dim, float>(50000, 143, 0.0, corner);
+    sample.Coordinates.insert(sample.Coordinates.end(), dense.begin(), dense.end());
+    const PointSelection<dim> selection(sample.GetSpan(), {}, Execution());
+    // Small leaves; leaves of which few make a task; leaves larger than a task, at the last depth;
+    // one leaf.
+    for (const auto& options : { typename PointTree<dim, float>::Options{ 8, deepest },
+           { 5000, deepest }, { 1, 1 }, { 8, 11 / dim }, { 100000, deepest } })
     {
-      const PointTree<dim, float> tree(
-        sample.GetSpan(), selection, options, Execution(OnThreads(threads)));
-      TestFixture::ExpectSound(sample, tree);
+      SCOPED_TRACE(std::to_string(corner) + ", " + std::to_string(options.MaxPointsPerLeaf) + ", " +
+        std::to_string(options.MaxDepth));
+      for (const unsigned threads : { 1U, 4U })
+      {
+        const PointTree<dim, float> tree(
+          sample.GetSpan(), selection, options, Execution(OnThreads(threads)));
+        TestFixture::ExpectSound(sample, tree);
+      }
     }
   }
 }
