@@ -119,7 +119,8 @@ private:
   Point* Data(bool scratch) { return scratch ? this->Scratch : this->Points.GetData(); }
 
   /** Splits a range by one digit, all threads together, and appends what has to be sorted yet, the
-   * first last. */
+   * last first: ranges are taken from the end, and sorted in the order in which they lie (by the
+   * thread that wrote them, in a ThreadTeam). */
   void Partition(const Range& range, std::vector<Range>& rest)
   {
     const Point* from = this->Data(range.InScratch) + range.First;

@@ -165,7 +165,8 @@ std::size_t PointTree<Dim, Real>::GetBytes() const
   return bytes;
 }
 
-/** Copies the points of a leaf, which must not be empty, and returns the cells that they lie in. */
+/** Copies the points of a leaf, which must not be empty, and returns the cells that they lie in.
+ * More points than a task has come after the tasks, with progress at its end. */
 template <int Dim, typename Real>
 typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   const PointRange& leaf, PointSpan<Dim, Real> points, const Execution& execution)
