@@ -228,6 +228,24 @@ TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgot
   locator.Errors.clear();
 }
 
+TEST(TestHashedOctreePointLocatorBatches, WhoHearsOfTheirOutputsLastSeesWhatTheyFound)
+{
+  TestedLocator locator(MakePolyData<double>({ 0, 0, 0, 1, 0, 0, 9, 0, 0 }));
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  struct Observer
+  {
+    double Largest = 0.0;
+    void See(vtkObject* output, unsigned long, void*)
+    {
+      this->Largest = vtkDoubleArray::SafeDownCast(output)->GetRange()[1];
+    }
+  } observer;
+  dist2->AddObserver(vtkCommand::ModifiedEvent, &observer, &Observer::See);
+  ASSERT_TRUE(locator->FindClosestPoints(MakeQuery(7.0, 0.0, 0.0), ids, dist2));
+  EXPECT_EQ(observer.Largest, 4.0);
+}
+
 TEST(TestHashedOctreePointLocatorBatches, GoOnWhateverTheirObserversDo)
 {
   const auto coordinates = MakeUniformPoints<3, float>(60000, 186);
