@@ -5,6 +5,8 @@
 #include "SampleTree.h"
 
 #include <limits>
+#include <utility>
+#include <vector>
 
 using namespace hashedoctree;
 
@@ -23,21 +25,24 @@ protected:
   static void Check(const Octree<Dim>& tree, PointSpan<Dim, float> positions, std::size_t first,
     std::size_t last, EmptyOctants reading)
   {
-    std::size_t next = first;
-    FindLeaves(
-      tree, positions, first, last, GetStartDepth,
-      [&](std::size_t i, const FoundLeaf<Dim>& leaf)
-      {
-        ASSERT_EQ(i, next++);
-        const MortonKey<Dim> key = tree.GetGrid().GetKey(positions[i]);
-        const FoundLeaf<Dim> single = FindLeaf(tree, key, GetStartDepth(key), reading);
-        ASSERT_EQ(leaf.Key, single.Key);
-        ASSERT_EQ(leaf.ParentBlock, single.ParentBlock);
-        ASSERT_EQ(leaf.Case, single.Case);
-        ASSERT_EQ(leaf.Exists, single.Exists);
-      },
-      reading);
-    ASSERT_EQ(next, last);
+    // Checked afterwards: FindLeaves() has all that is called within it inline.
+    std::vector<std::pair<std::size_t, FoundLeaf<Dim>>> found;
+    found.reserve(last - first);
+    const auto remember = [&found](std::size_t i, const FoundLeaf<Dim>& leaf)
+    { found.emplace_back(i, leaf); };
+    FindLeaves(tree, positions, first, last, GetStartDepth, remember, reading);
+    ASSERT_EQ(found.size(), last - first);
+    for (std::size_t place = 0; place < found.size(); ++place)
+    {
+      const auto& [i, leaf] = found[place];
+      ASSERT_EQ(i, first + place);
+      const MortonKey<Dim> key = tree.GetGrid().GetKey(positions[i]);
+      const FoundLeaf<Dim> single = FindLeaf(tree, key, GetStartDepth(key), reading);
+      ASSERT_EQ(leaf.Key, single.Key);
+      ASSERT_EQ(leaf.ParentBlock, single.ParentBlock);
+      ASSERT_EQ(leaf.Case, single.Case);
+      ASSERT_EQ(leaf.Exists, single.Exists);
+    }
   }
 };
 TYPED_TEST_SUITE(TestDirectBatch, Dimensions);
