@@ -42,6 +42,7 @@ private:
     Front,
     Back
   };
+  /** Some of a loop, [First, Last). */
   struct Part
   {
     std::size_t First;

@@ -6,6 +6,8 @@
 #include "SampleTree.h"
 #include "Threads.h"
 
+#include <utility>
+
 using namespace hashedoctree;
 
 template <typename Dimension>
@@ -141,11 +143,11 @@ TYPED_TEST(TestPointTree, HoldsAllPointsHoweverTheyAreSharedOutToThreads)
   constexpr int dim = TestFixture::Dim;
   constexpr int deepest = MortonKey<dim>::MaxDepth;
   // Half of them in one corner: there are small and large subtrees, and leaves above them. In the
-  // smaller corner they are all in one leaf, with a nested tree.
-  for (const double corner : { 1e-3, 1e-12 })
+  // smaller corner they are all in one leaf, with a nested tree; fewer, but more than a task has.
+  for (const auto& [corner, count] : { std::pair(1e-3, 50000U), std::pair(1e-12, 20000U) })
   {
-    PointSample<dim, float> sample{ "halves", MakeUniformPoints<dim, float>(50000, 142) };
-    const auto dense = MakeUniformPoints<dim, float>(50000, 143, 0.0, corner);
+    PointSample<dim, float> sample{ "halves", MakeUniformPoints<dim, float>(count, 142) };
+    const auto dense = MakeUniformPoints<dim, float>(count, 143, 0.0, corner);
     sample.Coordinates.insert(sample.Coordinates.end(), dense.begin(), dense.end());
     const PointSelection<dim> selection(sample.GetSpan(), {}, Execution());
     // Small leaves; leaves of which few make a task; leaves larger than a task, at the last depth;

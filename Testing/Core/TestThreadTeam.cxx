@@ -9,7 +9,6 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <map>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -37,6 +36,26 @@ std::vector<Execution> MakeExecutions()
   };
   return { Execution(), Execution(inTurns), Execution(OnThreads(2)), Execution(OnThreads(8)) };
 }
+
+/** Where two threads wait for each other; who comes again does not. */
+class Meeting
+{
+public:
+  void Come()
+  {
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    this->Threads.insert(std::this_thread::get_id());
+    this->Changed.notify_all();
+    this->Changed.wait_for(
+      lock, std::chrono::seconds(20), [this] { return this->Threads.size() == 2; });
+  }
+  bool HasHappened() const { return this->Threads.size() == 2; }
+
+private:
+  std::mutex Mutex;
+  std::condition_variable Changed;
+  std::set<std::thread::id> Threads;
+};
 }
 
 TEST(TestThreadTeam, LoopsDoEachPartOnceOneAfterTheOther)
@@ -74,26 +93,14 @@ TEST(TestThreadTeam, LoopsDoEachPartOnceOneAfterTheOther)
 
 TEST(TestThreadTeam, OthersHelpTheLeader)
 {
-  // A part ends only when another thread has come for one.
-  std::mutex mutex;
-  std::set<std::thread::id> helpers;
-  std::condition_variable changed;
   ThreadTeam::Run(Execution(OnThreads(2)), 2,
     [&](const Execution& execution)
     {
       for (const char* loop : { "first", "second" })
       {
-        helpers.clear();
-        execution.For(2, 1,
-          [&](std::size_t, std::size_t)
-          {
-            std::unique_lock<std::mutex> lock(mutex);
-            helpers.insert(std::this_thread::get_id());
-            changed.notify_all();
-            changed.wait_for(
-              lock, std::chrono::seconds(20), [&helpers] { return helpers.size() == 2; });
-          });
-        EXPECT_EQ(helpers.size(), 2U) << loop;
+        Meeting meeting;
+        execution.For(2, 1, [&meeting](std::size_t, std::size_t) { meeting.Come(); });
+        EXPECT_TRUE(meeting.HasHappened()) << loop;
         // Now the other one waits for the next loop, and must be told of it.
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
       }
@@ -102,32 +109,25 @@ TEST(TestThreadTeam, OthersHelpTheLeader)
 
 TEST(TestThreadTeam, TheLeaderBeginsAtTheFrontTheOthersAtTheBack)
 {
-  using Part = std::pair<std::size_t, std::size_t>;
-  std::mutex mutex;
-  std::map<std::thread::id, std::vector<Part>> parts;
-  std::condition_variable changed;
+  using Parts = std::vector<std::pair<std::size_t, std::size_t>>;
   ThreadTeam::Run(Execution(OnThreads(2)), 2,
     [&](const Execution& execution)
     {
       const std::thread::id leader = std::this_thread::get_id();
       for (int loop = 0; loop < 3; ++loop)
       {
-        parts.clear();
+        Meeting meeting;
+        Parts front;
+        Parts back;
         execution.For(11, 2,
           [&](std::size_t first, std::size_t last)
           {
-            std::unique_lock<std::mutex> lock(mutex);
-            parts[std::this_thread::get_id()].push_back({ first, last });
-            changed.notify_all();
-            changed.wait_for(
-              lock, std::chrono::seconds(20), [&parts] { return parts.size() == 2; });
+            meeting.Come();
+            (std::this_thread::get_id() == leader ? front : back).emplace_back(first, last);
           });
-        ASSERT_EQ(parts.size(), 2U);
-        const auto& front = parts[leader];
-        const auto& back =
-          parts.begin()->first == leader ? parts.rbegin()->second : parts.begin()->second;
-        EXPECT_EQ(front.front(), Part(0, 2));
-        EXPECT_EQ(back.front(), Part(10, 11));
+        ASSERT_TRUE(meeting.HasHappened());
+        EXPECT_EQ(front.front(), Parts::value_type(0, 2));
+        EXPECT_EQ(back.front(), Parts::value_type(10, 11));
         EXPECT_TRUE(std::is_sorted(front.begin(), front.end()));
         EXPECT_TRUE(std::is_sorted(back.rbegin(), back.rend()));
         EXPECT_EQ(front.back().second, back.back().first);
