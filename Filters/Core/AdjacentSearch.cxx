@@ -101,11 +101,11 @@ private:
     for (unsigned internal = rest & entry.Internal; internal != 0; internal &= internal - 1)
     {
       const unsigned first = internal & -internal;
-      this->Leaves.AddChildren(key, rest & (first - 1U), entry.Block, kind);
+      this->Leaves.AddChildren(PlainMachine(), key, rest & (first - 1U), entry.Block, kind);
       onInternal(static_cast<unsigned>(__builtin_ctz(first)));
       rest &= ~(2U * first - 1U);
     }
-    this->Leaves.AddChildren(key, rest, entry.Block, kind);
+    this->Leaves.AddChildren(PlainMachine(), key, rest, entry.Block, kind);
   }
 
   const Octree<Dim>& Tree;

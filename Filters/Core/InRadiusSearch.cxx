@@ -26,49 +26,11 @@ public:
   {
   }
 
-  /** The ball must reach the border of the node, so that the cells that cover it are above. */
-  void Search(int startDepth)
+  // The ball must reach the border of the node, so that the cells that cover it are above.
+  void Search(PlainMachine machine, int startDepth) { this->ListInCover(machine, startDepth); }
+  HASHEDOCTREE_WITH_AVX2 void Search(Avx2Machine machine, int startDepth)
   {
-    const NeighborCells<Dim> cover = this->Ball.GetCover();
-    const Corner lower = this->Ball.GetLower(cover.Lower, cover.Depth);
-    const double size = NodeBall<Dim>::GetSize(cover.Depth);
-    const NeighborCase kind = this->GetCase(cover.Depth + 1);
-    Group cells;
-    std::size_t count = 0;
-    std::uint64_t internal = 0;
-    ReachCells(
-      this->Tree, cover, startDepth, this->Reading, this->Examined,
-      [&](unsigned corner, Key key, const Entry& entry)
-      {
-        if (count == GroupSize)
-        {
-          this->Descend(cells, internal, cover.Depth + 1);
-          count = 0;
-          internal = 0;
-        }
-        Node& cell = cells[count];
-        cell.NodeKey = key;
-        cell.Block = entry.Block;
-        cell.Lower = NodeBall<Dim>::GetLowerOfOctant(lower, size, corner);
-        this->Tree.PrefetchOctants(cell.Block);
-        internal |= std::uint64_t(this->ListLeaves(cell, entry, 0.5 * size, kind))
-          << (count * Key::NumberOfOctants);
-        ++count;
-      },
-      [this](const FoundLeaf<Dim>& leaf)
-      {
-        const Key key = leaf.Key;
-        if (this->Ball.Meets(key.GetCell(), key.GetDepth()))
-        {
-          this->Leaves.Add({ key, leaf.ParentBlock, NeighborCase::Above });
-        }
-      });
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      this->Tree.PrefetchOctants(this->Tree.GetOctants(cells[i].Block).FirstChild);
-    }
-    this->Descend(cells, internal, cover.Depth + 1);
-    this->Leaves.Flush();
+    this->ListInCover(machine, startDepth);
   }
 
 private:
@@ -90,9 +52,68 @@ private:
    * is to wait for it. */
   using Group = std::array<Node, GroupSize>;
 
+  /** Lists the leaves that meet the ball. For each machine the same is compiled, all that lies
+   * within included. */
+  template <typename Machine>
+  HASHEDOCTREE_INLINE void ListInCover(Machine machine, int startDepth)
+  {
+    const NeighborCells<Dim> cover = this->Ball.GetCover();
+    Corner lower;
+    this->Ball.GetLower(cover.Lower, cover.Depth, lower);
+    const double size = NodeBall<Dim>::GetSize(cover.Depth);
+    const NeighborCase kind = this->GetCase(cover.Depth + 1);
+    Group cells;
+    std::size_t count = 0;
+    std::uint64_t internal = 0;
+    ReachCells(
+      this->Tree, cover, startDepth, this->Reading, this->Examined,
+      [&](unsigned corner, Key key, const Entry& entry) __attribute__((always_inline)) {
+        if (count == GroupSize)
+        {
+          this->Descend(machine, cells, internal, cover.Depth + 1);
+          count = 0;
+          internal = 0;
+        }
+        Node& cell = cells[count];
+        cell.NodeKey = key;
+        cell.Block = entry.Block;
+        NodeBall<Dim>::GetLowerOfOctant(lower, size, corner, cell.Lower);
+        this->Tree.PrefetchOctants(cell.Block);
+        internal |= std::uint64_t(this->ListLeaves(machine, cell, entry, 0.5 * size, kind))
+          << (count * Key::NumberOfOctants);
+        ++count;
+      },
+      [this](const FoundLeaf<Dim>& leaf)
+      {
+        const Key key = leaf.Key;
+        if (this->Ball.Meets(key.GetCell(), key.GetDepth()))
+        {
+          this->Leaves.Add({ key, leaf.ParentBlock, NeighborCase::Above });
+        }
+      });
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Tree.PrefetchOctants(this->Tree.GetOctants(cells[i].Block).FirstChild);
+    }
+    this->Descend(machine, cells, internal, cover.Depth + 1);
+    this->Leaves.Flush();
+  }
+
+  void Descend(PlainMachine machine, const Group& parents, std::uint64_t internal, int depth)
+  {
+    this->ListBelow(machine, parents, internal, depth);
+  }
+  HASHEDOCTREE_WITH_AVX2 void Descend(
+    Avx2Machine machine, const Group& parents, std::uint64_t internal, int depth)
+  {
+    this->ListBelow(machine, parents, internal, depth);
+  }
+
   /** Lists the leaves that meet the ball below children of a group. These children, which have a
    * bit each in `internal`, are of this depth; they meet the ball and are no leaves. */
-  void Descend(const Group& parents, std::uint64_t internal, int depth)
+  template <typename Machine>
+  HASHEDOCTREE_INLINE void ListBelow(
+    Machine machine, const Group& parents, std::uint64_t internal, int depth)
   {
     const double size = NodeBall<Dim>::GetSize(depth);
     const NeighborCase kind = this->GetCase(depth + 1);
@@ -109,30 +130,32 @@ private:
         const unsigned octant = bit % Key::NumberOfOctants;
         node->NodeKey = parent.NodeKey.GetChild(octant);
         node->Block = this->Tree.GetChildBlock(parent.Block, octant);
-        node->Lower = NodeBall<Dim>::GetLowerOfOctant(parent.Lower, size, octant);
+        NodeBall<Dim>::GetLowerOfOctant(parent.Lower, size, octant, node->Lower);
         const Octants& children = this->Tree.GetOctants(node->Block);
         this->Tree.PrefetchOctants(children.FirstChild);
-        below |= std::uint64_t(this->ListLeaves(*node, children, 0.5 * size, kind)) << shift;
+        below |= std::uint64_t(this->ListLeaves(machine, *node, children, 0.5 * size, kind))
+          << shift;
         ++node;
       }
       if (below != 0)
       {
-        this->Descend(nodes, below, depth + 1);
+        this->Descend(machine, nodes, below, depth + 1);
       }
     }
   }
 
   /** Lists those children of a node that are leaves and meet the ball, and returns those that are
    * internal nodes and meet it. `size` is theirs. */
-  template <typename Children>
-  std::uint32_t ListLeaves(
-    const Node& node, const Children& children, double size, NeighborCase kind)
+  template <typename Machine, typename Children>
+  HASHEDOCTREE_INLINE std::uint32_t ListLeaves(
+    Machine machine, const Node& node, const Children& children, double size, NeighborCase kind)
   {
     const std::uint32_t others = this->GetOthers(node.NodeKey);
     this->Examined.AddNodes(__builtin_popcount(others));
     const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : children.Occupied;
-    const std::uint32_t meeting = others & nodes & this->Ball.GetMeetingOctants(node.Lower, size);
-    this->Leaves.AddChildren(node.NodeKey, meeting & ~children.Internal, node.Block, kind);
+    const std::uint32_t meeting =
+      others & nodes & this->Ball.GetMeetingOctants(machine, node.Lower, size);
+    this->Leaves.AddChildren(machine, node.NodeKey, meeting & ~children.Internal, node.Block, kind);
     return meeting & children.Internal;
   }
 
@@ -160,11 +183,10 @@ private:
   NeighborBuffer<Dim> Leaves;
   Count& Examined;
 };
-}
 
-template <int Dim, typename Count>
-void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
-  std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
+template <int Dim, typename Count, typename Machine>
+void FindOn(Machine machine, const Octree<Dim>& tree, MortonKey<Dim> node, double radius,
+  int startDepth, std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
 {
   found.clear();
   if (!(radius >= 0.0) || node == MortonKey<Dim>::Root())
@@ -174,20 +196,42 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
   const NodeBall<Dim> ball(tree.GetGrid(), node, radius);
   if (ball.ReachesBorder())
   {
-    InRadiusWalk<Dim, Count>(tree, node, ball, reading, found, count).Search(startDepth);
+    InRadiusWalk<Dim, Count>(tree, node, ball, reading, found, count).Search(machine, startDepth);
   }
 }
+}
 
-#define HASHEDOCTREE_INSTANTIATE(Dim, Count)                                                       \
+template <int Dim, typename Count>
+void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
+  std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
+{
+#if defined(__x86_64__)
+  if (HasAvx2())
+  {
+    FindOn(Avx2Machine(), tree, node, radius, startDepth, found, count, reading);
+    return;
+  }
+#endif
+  FindOn(PlainMachine(), tree, node, radius, startDepth, found, count, reading);
+}
+
+template <int Dim>
+void FindLeavesInRadiusPlainly(const Octree<Dim>& tree, MortonKey<Dim> node, double radius,
+  int startDepth, std::vector<Neighbor<Dim>>& found, NodeCount& count, EmptyOctants reading)
+{
+  FindOn(PlainMachine(), tree, node, radius, startDepth, found, count, reading);
+}
+
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
-    std::vector<Neighbor<Dim>>&, Count&, EmptyOctants);
-HASHEDOCTREE_INSTANTIATE(1, NoCount)
-HASHEDOCTREE_INSTANTIATE(1, NodeCount)
-HASHEDOCTREE_INSTANTIATE(2, NoCount)
-HASHEDOCTREE_INSTANTIATE(2, NodeCount)
-HASHEDOCTREE_INSTANTIATE(3, NoCount)
-HASHEDOCTREE_INSTANTIATE(3, NodeCount)
-HASHEDOCTREE_INSTANTIATE(4, NoCount)
-HASHEDOCTREE_INSTANTIATE(4, NodeCount)
+    std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants);                                          \
+  template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
+    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);                                        \
+  template void FindLeavesInRadiusPlainly(const Octree<Dim>&, MortonKey<Dim>, double, int,         \
+    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
 }

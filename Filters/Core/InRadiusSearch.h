@@ -33,7 +33,8 @@ namespace hashedoctree
  * nodes that the direct searches examine. O(nodes that meet the ball, and their children), plus
  * O(MaxDepth). Allocates only where `found` grows. Thread safe.
  *
- * Instantiated for NoCount and NodeCount.
+ * Compiled for the plain machine and for AVX2; which one runs is found at run time. Instantiated
+ * for NoCount and NodeCount.
  */
 template <int Dim, typename Count>
 void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
@@ -47,6 +48,11 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
   NoCount count;
   FindLeavesInRadius(tree, node, radius, startDepth, found, count, reading);
 }
+
+/** The same as it runs on every machine, to compare with. */
+template <int Dim>
+void FindLeavesInRadiusPlainly(const Octree<Dim>& tree, MortonKey<Dim> node, double radius,
+  int startDepth, std::vector<Neighbor<Dim>>& found, NodeCount& count, EmptyOctants reading);
 }
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef hashedoctree_NeighborBuffer_h
 #define hashedoctree_NeighborBuffer_h
 
+#include "Lanes.h"
 #include "Neighbor.h"
 #include "PlacesOfBits.h"
 
@@ -11,6 +12,10 @@
 #include <cstdint>
 #include <cstring>
 #include <vector>
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 namespace hashedoctree
 {
@@ -34,15 +39,11 @@ public:
 
   /** Adds those children of a node whose bits are set, in the order of octants. `block` is the one
    * that describes them. */
-  void AddChildren(
-    MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block, NeighborCase kind)
+  void AddChildren(PlainMachine, MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block,
+    NeighborCase kind)
   {
     this->MakeRoom();
-    // In two numbers, as which a leaf is written by two stores instead of three.
-    const Neighbor<Dim> child = { node.GetChild(0), block, kind };
-    std::array<std::uint64_t, 2> leaf;
-    static_assert(sizeof(leaf) == sizeof(child), "the key is the first number");
-    std::memcpy(leaf.data(), &child, sizeof(leaf));
+    Words leaf = GetWords({ node.GetChild(0), block, kind });
     const std::uint64_t key = leaf[0];
     for (unsigned first = 0; first < MortonKey<Dim>::NumberOfOctants; first += Width)
     {
@@ -58,6 +59,34 @@ public:
     }
   }
 
+#if defined(__x86_64__)
+  /** The same by AVX2. */
+  HASHEDOCTREE_WITH_AVX2 void AddChildren(
+    Avx2Machine, MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block, NeighborCase kind)
+  {
+    this->MakeRoom();
+    const Words leaf = GetWords({ node.GetChild(0), block, kind });
+    const __m256i other = _mm256_set1_epi64x(static_cast<long long>(leaf[1]));
+    for (unsigned first = 0; first < MortonKey<Dim>::NumberOfOctants; first += Width)
+    {
+      const unsigned mask = octants >> first & ((1U << Width) - 1U);
+      const __m256i keys = _mm256_set1_epi64x(static_cast<long long>(leaf[0] + first));
+      Neighbor<Dim>* next = this->Leaves.data() + this->Size;
+      for (unsigned done = 0; done < Width; done += 4, next += 4)
+      {
+        std::int32_t places;
+        std::memcpy(&places, BitPlaces.Places[mask] + done, sizeof(places));
+        const __m256i four = _mm256_cvtepu8_epi64(_mm_cvtsi32_si128(places)) + keys;
+        const __m256i inTurn = _mm256_permute4x64_epi64(four, 0b11011000); // 0, 2, 1, 3
+        auto* place = reinterpret_cast<__m256i*>(next);
+        _mm256_storeu_si256(place, _mm256_unpacklo_epi64(inTurn, other));
+        _mm256_storeu_si256(place + 1, _mm256_unpackhi_epi64(inTurn, other));
+      }
+      this->Size += BitPlaces.Count[mask];
+    }
+  }
+#endif
+
   /** Puts what was added into the list. */
   void Flush()
   {
@@ -66,6 +95,18 @@ public:
   }
 
 private:
+  /** A leaf as two numbers, as which it is written by fewer stores than by its parts; the first one
+   * is the key. */
+  using Words = std::array<std::uint64_t, 2>;
+
+  static Words GetWords(const Neighbor<Dim>& leaf)
+  {
+    Words words;
+    static_assert(sizeof(words) == sizeof(leaf), "nothing else is in a leaf");
+    std::memcpy(words.data(), &leaf, sizeof(words));
+    return words;
+  }
+
   static constexpr unsigned Width =
     std::min<unsigned>(PlacesOfBits::Width, MortonKey<Dim>::NumberOfOctants);
   static constexpr std::size_t Most = 240; ///< With room behind it for the children of a node.

@@ -3,6 +3,7 @@
 #define hashedoctree_NeighborCells_h
 
 #include "DirectSearch.h"
+#include "Lanes.h"
 
 #include <algorithm>
 
@@ -66,8 +67,8 @@ struct NeighborCells
  * searches examine; onBlock counts what it looks at. Allocates nothing. Thread safe.
  */
 template <int Dim, typename Count, typename OnBlock, typename OnLeaf>
-void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells, int startDepth,
-  EmptyOctants reading, Count& count, const OnBlock& onBlock, const OnLeaf& onLeaf)
+HASHEDOCTREE_INLINE void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells,
+  int startDepth, EmptyOctants reading, Count& count, const OnBlock& onBlock, const OnLeaf& onLeaf)
 {
   using Key = MortonKey<Dim>;
   typename NeighborCells<Dim>::CornerKeys keys;

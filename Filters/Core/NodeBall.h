@@ -3,13 +3,16 @@
 #define hashedoctree_NodeBall_h
 
 #include "Grid.h"
+#include "Lanes.h"
 #include "NeighborCells.h"
 
 #ifdef __SSE2__
-#include <emmintrin.h>
+#include <immintrin.h>
 #endif
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace hashedoctree
 {
@@ -26,10 +29,12 @@ class NodeBall
 public:
   using Key = MortonKey<Dim>;
   /** Two numbers in one register. */
-  using Pair __attribute__((vector_size(2 * sizeof(double)))) = double;
-  /** The lower corner of a cell, from the center of the ball, as the machine computes it: the axes
-   * two by two, and 0 where an odd number of them leaves room. */
-  using Corner = std::array<Pair, (Dim + 1) / 2>;
+  using Pair = Lanes<double, 2>;
+  /** The lower corner of a cell, from the center of the ball, as the machine computes it: 0 where
+   * there are fewer than four axes. (Functions do not return it, since how depends on the machine.)
+   */
+  using Corner = Lanes<double, 4>;
+  static_assert(Dim <= 4, "a corner has four coordinates");
 
   /** `radius` in world units, not negative; may be infinite. */
   NodeBall(const Grid<Dim>& grid, Key node, double radius)
@@ -67,14 +72,14 @@ public:
 
   /** Of the 2^Dim cells of this size around a corner, which is the upper one of the first: those
    * that meet the ball, one bit for each octant. `lower` is the first one's lower corner. */
-  std::uint32_t GetMeetingOctants(const Corner& lower, double size) const
+  std::uint32_t GetMeetingOctants(PlainMachine, const Corner& lower, double size) const
   {
     // On each axis there are two places only, which make a vector.
     const Pair places = { 0.0, size };
     std::array<Pair, Dim> nearest2;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const Pair below = lower[axis / 2][axis % 2] + places;
+      const Pair below = lower[axis] + places;
       const Pair above = -size - below;
       const Pair nearest = GetLarger(GetLarger(below, above), Pair{});
       nearest2[axis] = nearest * nearest;
@@ -101,29 +106,59 @@ public:
     return meeting;
   }
 
-  /** The lower corner of a cell. Exact. */
-  Corner GetLower(const Cell<Dim>& cell, int depth) const
+#if defined(__x86_64__)
+  /** The same by AVX2. */
+  HASHEDOCTREE_WITH_AVX2 std::uint32_t GetMeetingOctants(
+    Avx2Machine, const Corner& lower, double size) const
   {
-    Corner lower{};
+    const __m256d minusFirstUpper = _mm256_set1_pd(-size) - lower;
+    const __m256d first = GetNearest2(lower, minusFirstUpper);
+    const __m256d second = GetNearest2(lower + size, minusFirstUpper - size);
+    // Sums over the last two axes make a vector.
+    constexpr int last = Dim - 1;
+    __m256d sums[std::max(Key::NumberOfOctants / 4U, 1U)];
+    sums[0] = Spread<last, 0b01000100>(first, second);
+    if constexpr (Dim > 1)
+    {
+      sums[0] += Spread<last - 1, 0b01010000>(first, second);
+    }
+    std::size_t count = 1;
+    for (int axis = Dim - 3; axis >= 0; --axis, count *= 2)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        sums[count + i] = second[axis] + sums[i];
+        sums[i] = first[axis] + sums[i];
+      }
+    }
+    const __m256d radius2 = _mm256_set1_pd(this->Radius2);
+    unsigned meeting = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const int bits = _mm256_movemask_pd(_mm256_cmp_pd(sums[i], radius2, _CMP_LE_OQ));
+      meeting |= static_cast<unsigned>(bits) << (4 * i);
+    }
+    return meeting & ((1U << Key::NumberOfOctants) - 1U);
+  }
+#endif
+
+  /** The lower corner of a cell. Exact. */
+  HASHEDOCTREE_INLINE void GetLower(const Cell<Dim>& cell, int depth, Corner& lower) const
+  {
+    lower = Corner{};
     for (int axis = 0; axis < Dim; ++axis)
     {
-      lower[axis / 2][axis % 2] = static_cast<double>(
+      lower[axis] = static_cast<double>(
         (std::int64_t(cell[axis]) << (Key::MaxDepth + 1 - depth)) - this->Center[axis]);
     }
-    return lower;
   }
 
   /** The same of one of the 2^Dim cells of this size of which the first has this lower corner. */
-  static Corner GetLowerOfOctant(const Corner& lower, double size, unsigned octant)
+  HASHEDOCTREE_INLINE static void GetLowerOfOctant(
+    const Corner& lower, double size, unsigned octant, Corner& lowerOfOctant)
   {
-    const Pair sizes = { size, size };
-    Corner corner;
-    for (std::size_t i = 0; i < corner.size(); ++i)
-    {
-      // (A product, since a choice is made by a branch, which nobody could foresee.)
-      corner[i] = lower[i] + sizes * Steps.OfOctant[octant][i];
-    }
-    return corner;
+    // (A product, since a choice is made by a branch, which nobody could foresee.)
+    lowerOfOctant = lower + size * Steps.OfOctant[octant];
   }
 
   /** The side of the cells at a depth. */
@@ -170,21 +205,18 @@ private:
     {
       for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
       {
-        std::array<double, 2 * std::tuple_size<Corner>::value> steps{};
+        std::array<double, 4> steps{};
         for (int axis = 0; axis < Dim; ++axis)
         {
           steps[axis] = octant >> (Dim - 1 - axis) & 1U;
         }
-        for (std::size_t i = 0; i < steps.size(); i += 2)
-        {
-          this->OfOctant[octant][i / 2] = Pair{ steps[i], steps[i + 1] };
-        }
+        this->OfOctant[octant] = Corner{ steps[0], steps[1], steps[2], steps[3] };
       }
     }
   };
   static constexpr OctantSteps Steps{};
 
-  using Truths __attribute__((vector_size(2 * sizeof(double)))) = std::int64_t;
+  using Truths = Lanes<std::int64_t, 2>;
 
   /** Of each pair of numbers the larger, none of which is NaN. (GCC compares, and chooses by
    * masks.) */
@@ -205,6 +237,26 @@ private:
     return (truths[0] != 0 ? 1U : 0U) | (truths[1] != 0 ? 2U : 0U);
 #endif
   }
+
+#if defined(__x86_64__)
+  /** On each axis the squared distance to the nearest place of a cell, whose lower corner and the
+   * upper one with the other sign are given. */
+  HASHEDOCTREE_WITH_AVX2 static __m256d GetNearest2(__m256d lower, __m256d minusUpper)
+  {
+    const __m256d nearest = _mm256_max_pd(_mm256_max_pd(lower, minusUpper), _mm256_setzero_pd());
+    return _mm256_mul_pd(nearest, nearest);
+  }
+
+  /** What belongs to an axis at its first and its second place, 0 and 1, in this order: two bits
+   * for each lane, the first one's the lowest. */
+  template <int Axis, int Order>
+  HASHEDOCTREE_WITH_AVX2 static __m256d Spread(__m256d first, __m256d second)
+  {
+    const __m256d places =
+      Axis % 2 == 0 ? _mm256_unpacklo_pd(first, second) : _mm256_unpackhi_pd(first, second);
+    return _mm256_permute4x64_pd(places, Order + (Axis < 2 ? 0 : 0b10101010));
+  }
+#endif
 
   double Radius;
   double Radius2;

@@ -32,6 +32,14 @@ protected:
     return radii;
   }
 
+  static bool AreSame(
+    const std::vector<Neighbor<Dim>>& found, const std::vector<Neighbor<Dim>>& expected)
+  {
+    return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
+      [](const auto& a, const auto& b)
+      { return a.Key == b.Key && a.ParentBlock == b.ParentBlock && a.Case == b.Case; });
+  }
+
   static void Check(const Octree<Dim>& tree, const BruteForceNeighbors<Dim>& oracle, Key node)
   {
     const double side = tree.GetGrid().GetSide();
@@ -51,10 +59,12 @@ protected:
           std::vector<Neighbor<Dim>> found(1);
           NodeCount count;
           FindLeavesInRadius(tree, node, radius, startDepth, found, count, reading);
-          ASSERT_EQ(found.size(), first.size());
-          ASSERT_TRUE(std::equal(found.begin(), found.end(), first.begin(),
-            [](const auto& a, const auto& b) { return a.Key == b.Key; }));
+          ASSERT_TRUE(AreSame(found, first));
           ASSERT_LE(count.Nodes, mostNodes);
+          NodeCount plainCount;
+          FindLeavesInRadiusPlainly(tree, node, radius, startDepth, found, plainCount, reading);
+          ASSERT_TRUE(AreSame(found, first));
+          ASSERT_EQ(plainCount.Nodes, count.Nodes);
         }
       }
     }

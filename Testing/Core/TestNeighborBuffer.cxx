@@ -10,50 +10,68 @@ using namespace hashedoctree;
 template <typename Dimension>
 class TestNeighborBuffer : public ::testing::Test
 {
+protected:
+  static constexpr int Dim = Dimension::value;
+
+  template <typename Machine>
+  static void ExpectLeavesInOrder(Machine machine)
+  {
+    using Key = MortonKey<Dim>;
+    std::mt19937 random(71);
+    const Neighbor<Dim> first{ Key(5), 6, NeighborCase::Above };
+    std::vector<Neighbor<Dim>> found(1, first);
+    std::vector<Neighbor<Dim>> expected(1, first);
+    NeighborBuffer<Dim> buffer(found);
+    for (std::uint32_t block = 0; block < 1000; ++block) // Far more than it holds.
+    {
+      // All children every now and then, and none.
+      const auto octants =
+        static_cast<std::uint32_t>(block % 100 < 30 ? (1U << Key::NumberOfOctants) - 1U
+                                                    : random() % (1U << Key::NumberOfOctants));
+      const Key node(1 + random() % 1000);
+      const auto kind = static_cast<NeighborCase>(block % 3);
+      if (block % 100 > 90)
+      {
+        buffer.Add({ node, block, kind });
+        expected.push_back({ node, block, kind });
+      }
+      buffer.AddChildren(machine, node, octants, block, kind);
+      for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
+      {
+        if ((octants >> octant & 1U) != 0)
+        {
+          expected.push_back({ node.GetChild(octant), block, kind });
+        }
+      }
+    }
+    buffer.Flush();
+    buffer.Flush(); // There is nothing left.
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      ASSERT_EQ(found[i].Key, expected[i].Key) << i;
+      ASSERT_EQ(found[i].ParentBlock, expected[i].ParentBlock) << i;
+      ASSERT_EQ(found[i].Case, expected[i].Case) << i;
+    }
+  }
 };
 TYPED_TEST_SUITE(TestNeighborBuffer, Dimensions);
 
 TYPED_TEST(TestNeighborBuffer, AppendsLeavesInOrder)
 {
-  constexpr int dim = TypeParam::value;
-  using Key = MortonKey<dim>;
-  std::mt19937 random(71);
-  const Neighbor<dim> first{ Key(5), 6, NeighborCase::Above };
-  std::vector<Neighbor<dim>> found(1, first);
-  std::vector<Neighbor<dim>> expected(1, first);
-  NeighborBuffer<dim> buffer(found);
-  for (std::uint32_t block = 0; block < 1000; ++block) // Far more than it holds.
-  {
-    // All children every now and then, and none.
-    const auto octants =
-      static_cast<std::uint32_t>(block % 100 < 30 ? (1U << Key::NumberOfOctants) - 1U
-                                                  : random() % (1U << Key::NumberOfOctants));
-    const Key node(1 + random() % 1000);
-    const auto kind = static_cast<NeighborCase>(block % 3);
-    if (block % 100 > 90)
-    {
-      buffer.Add({ node, block, kind });
-      expected.push_back({ node, block, kind });
-    }
-    buffer.AddChildren(node, octants, block, kind);
-    for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
-    {
-      if ((octants >> octant & 1U) != 0)
-      {
-        expected.push_back({ node.GetChild(octant), block, kind });
-      }
-    }
-  }
-  buffer.Flush();
-  buffer.Flush(); // There is nothing left.
-  ASSERT_EQ(found.size(), expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i)
-  {
-    ASSERT_EQ(found[i].Key, expected[i].Key) << i;
-    ASSERT_EQ(found[i].ParentBlock, expected[i].ParentBlock) << i;
-    ASSERT_EQ(found[i].Case, expected[i].Case) << i;
-  }
+  this->ExpectLeavesInOrder(PlainMachine());
 }
+
+#if defined(__x86_64__)
+TYPED_TEST(TestNeighborBuffer, AppendsLeavesInOrderByAvx2)
+{
+  if (!HasAvx2())
+  {
+    GTEST_SKIP() << "this machine has no AVX2";
+  }
+  this->ExpectLeavesInOrder(Avx2Machine());
+}
+#endif
 
 TYPED_TEST(TestNeighborBuffer, TakesAnyNumberOfLeavesOneByOne)
 {

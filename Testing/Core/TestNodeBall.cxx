@@ -61,15 +61,24 @@ TYPED_TEST(TestNodeBall, CellsMeetTheBallWithTheirNearestPoints)
     const bool expected = this->GetNearest2(NodeBox<dim>(node), NodeBox<dim>(other)) <= radius2;
     ASSERT_EQ(ball.Meets(other.GetCell(), other.GetDepth()), expected);
     ASSERT_EQ(ball.ReachesBorder(), radius >= std::ldexp(2.0, -depth));
-    const auto parent = ball.GetLower(other.GetParent().GetCell(), other.GetDepth() - 1);
+    typename NodeBall<dim>::Corner parent;
+    ball.GetLower(other.GetParent().GetCell(), other.GetDepth() - 1, parent);
     const double size = NodeBall<dim>::GetSize(other.GetDepth());
-    const std::uint32_t octants = ball.GetMeetingOctants(parent, size);
+    const std::uint32_t octants = ball.GetMeetingOctants(PlainMachine(), parent, size);
     ASSERT_EQ((octants >> other.GetOctant() & 1U) != 0, expected);
-    const auto lower = ball.GetLower(other.GetCell(), other.GetDepth());
-    const auto lowerOfOctant = NodeBall<dim>::GetLowerOfOctant(parent, size, other.GetOctant());
-    for (int axis = 0; axis < dim; ++axis)
+#if defined(__x86_64__)
+    if (HasAvx2())
     {
-      ASSERT_EQ(lowerOfOctant[axis / 2][axis % 2], lower[axis / 2][axis % 2]);
+      ASSERT_EQ(ball.GetMeetingOctants(Avx2Machine(), parent, size), octants);
+    }
+#endif
+    typename NodeBall<dim>::Corner lower;
+    ball.GetLower(other.GetCell(), other.GetDepth(), lower);
+    typename NodeBall<dim>::Corner lowerOfOctant;
+    NodeBall<dim>::GetLowerOfOctant(parent, size, other.GetOctant(), lowerOfOctant);
+    for (int axis = 0; axis < 4; ++axis)
+    {
+      ASSERT_EQ(lowerOfOctant[axis], lower[axis]);
     }
     numberOfMeeting += expected ? 1 : 0;
   }
