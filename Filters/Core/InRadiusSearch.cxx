@@ -4,6 +4,8 @@
 #include "NeighborBuffer.h"
 #include "NodeBall.h"
 
+#include <type_traits>
+
 namespace hashedoctree
 {
 namespace
@@ -206,10 +208,14 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
   std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
 {
 #if defined(__x86_64__)
-  if (HasAvx2())
+  // Counts are looked at, not waited for.
+  if constexpr (std::is_same<Count, NoCount>::value)
   {
-    FindOn(Avx2Machine(), tree, node, radius, startDepth, found, count, reading);
-    return;
+    if (HasAvx2())
+    {
+      FindOn(Avx2Machine(), tree, node, radius, startDepth, found, count, reading);
+      return;
+    }
   }
 #endif
   FindOn(PlainMachine(), tree, node, radius, startDepth, found, count, reading);

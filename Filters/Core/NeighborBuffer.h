@@ -87,8 +87,9 @@ public:
   }
 #endif
 
-  /** Puts what was added into the list. */
-  void Flush()
+  /** Puts what was added into the list. (Not inline: it is seldom needed, and takes registers from
+   * what often is.) */
+  [[gnu::noinline]] void Flush()
   {
     this->Found.insert(this->Found.end(), this->Leaves.begin(), this->Leaves.begin() + this->Size);
     this->Size = 0;

@@ -50,11 +50,16 @@ std::vector<Spread> TimeInTurns(
 {
   if (searches <= MostWarmedSearches)
   {
+    const std::size_t before =
+      std::clamp<std::size_t>(WarmingSearches / searches, 1, MostWarmingRuns);
     for (std::function<double()>& run : runs)
     {
-      run = [once = std::move(run)]
+      run = [before, once = std::move(run)]
       {
-        once();
+        for (std::size_t i = 0; i < before; ++i)
+        {
+          once();
+        }
         return once();
       };
     }

@@ -41,10 +41,16 @@ double GetSeconds(const Function& function)
 /** A measurement goes on for at least so long: runs that take less are repeated for it. */
 constexpr double SecondsOfMeasurement = 2e-3;
 
-/** Runs of no more searches are done once before they are measured: some structures are searched in
- * turn in several ways, and the first one shall not load the caches for the others. A run of more
+/** Runs of no more searches are done before they are measured: some structures are searched in turn
+ * in several ways, and the first one shall not load the caches for the others. A run of more
  * searches does that for itself. */
 constexpr std::size_t MostWarmedSearches = 1000000;
+
+/** They are done as often as makes so many searches, once at least and ten times at most: caches
+ * that others use as well keep what is asked for again and again, so that a second run still loads
+ * them for a third. */
+constexpr std::size_t WarmingSearches = 100000;
+constexpr std::size_t MostWarmingRuns = 10;
 
 /** Of at least one time. The middle half is from the quarter of the times that are below it,
  * rounded down, to as many above it: of five, the second to the fourth. */

@@ -57,7 +57,7 @@ TEST(TestPaperTiming, RunsTakeTurnsAndTimesAreForOneSearch)
   EXPECT_EQ(seconds, (std::vector<std::vector<double>>{ { 2.5, 2.75, 3.0 }, { 5.0, 5.25, 5.5 } }));
 }
 
-TEST(TestPaperTiming, FewSearchesAreDoneOnceBeforeTheyAreMeasured)
+TEST(TestPaperTiming, FewSearchesAreDoneBeforeTheyAreMeasured)
 {
   const auto time = [](std::size_t searches)
   {
@@ -69,6 +69,10 @@ TEST(TestPaperTiming, FewSearchesAreDoneOnceBeforeTheyAreMeasured)
   EXPECT_DOUBLE_EQ(few[0].Median * MostWarmedSearches, 1.0);
   EXPECT_DOUBLE_EQ(few[1].Median * MostWarmedSearches, 13.0); // Of 11, 13 and 15.
   EXPECT_DOUBLE_EQ(time(MostWarmedSearches + 1)[1].Median * (MostWarmedSearches + 1), 11.0);
+  // Five times before: of 15, 21 and 27.
+  EXPECT_DOUBLE_EQ(time(WarmingSearches / 5)[1].Median * (WarmingSearches / 5), 21.0);
+  // Ten times before: of 20, 31 and 42.
+  EXPECT_DOUBLE_EQ(time(1)[1].Median, 31.0);
 }
 
 TEST(TestPaperTiming, ShortRunsAreRepeated)
