@@ -185,10 +185,11 @@ private:
   NeighborBuffer<Dim> Leaves;
   Count& Examined;
 };
+}
 
-template <int Dim, typename Count, typename Machine>
-void FindOn(Machine machine, const Octree<Dim>& tree, MortonKey<Dim> node, double radius,
-  int startDepth, std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
+template <int Dim, typename Count>
+void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
+  std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
 {
   found.clear();
   if (!(radius >= 0.0) || node == MortonKey<Dim>::Root())
@@ -196,48 +197,35 @@ void FindOn(Machine machine, const Octree<Dim>& tree, MortonKey<Dim> node, doubl
     return;
   }
   const NodeBall<Dim> ball(tree.GetGrid(), node, radius);
-  if (ball.ReachesBorder())
+  if (!ball.ReachesBorder())
   {
-    InRadiusWalk<Dim, Count>(tree, node, ball, reading, found, count).Search(machine, startDepth);
+    return;
   }
-}
-}
-
-template <int Dim, typename Count>
-void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
-  std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading)
-{
+  InRadiusWalk<Dim, Count> walk(tree, node, ball, reading, found, count);
 #if defined(__x86_64__)
-  // Counts are looked at, not waited for.
+  // Counts are looked at, not waited for; and of more copies GCC inlines less in each.
   if constexpr (std::is_same<Count, NoCount>::value)
   {
     if (HasAvx2())
     {
-      FindOn(Avx2Machine(), tree, node, radius, startDepth, found, count, reading);
+      walk.Search(Avx2Machine(), startDepth);
       return;
     }
   }
 #endif
-  FindOn(PlainMachine(), tree, node, radius, startDepth, found, count, reading);
+  walk.Search(PlainMachine(), startDepth);
 }
 
-template <int Dim>
-void FindLeavesInRadiusPlainly(const Octree<Dim>& tree, MortonKey<Dim> node, double radius,
-  int startDepth, std::vector<Neighbor<Dim>>& found, NodeCount& count, EmptyOctants reading)
-{
-  FindOn(PlainMachine(), tree, node, radius, startDepth, found, count, reading);
-}
-
-#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+#define HASHEDOCTREE_INSTANTIATE(Dim, Count)                                                       \
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
-    std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants);                                          \
-  template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
-    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);                                        \
-  template void FindLeavesInRadiusPlainly(const Octree<Dim>&, MortonKey<Dim>, double, int,         \
-    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+    std::vector<Neighbor<Dim>>&, Count&, EmptyOctants);
+HASHEDOCTREE_INSTANTIATE(1, NoCount)
+HASHEDOCTREE_INSTANTIATE(1, NodeCount)
+HASHEDOCTREE_INSTANTIATE(2, NoCount)
+HASHEDOCTREE_INSTANTIATE(2, NodeCount)
+HASHEDOCTREE_INSTANTIATE(3, NoCount)
+HASHEDOCTREE_INSTANTIATE(3, NodeCount)
+HASHEDOCTREE_INSTANTIATE(4, NoCount)
+HASHEDOCTREE_INSTANTIATE(4, NodeCount)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -33,8 +33,8 @@ namespace hashedoctree
  * nodes that the direct searches examine. O(nodes that meet the ball, and their children), plus
  * O(MaxDepth). Allocates only where `found` grows. Thread safe.
  *
- * Compiled for the plain machine and for AVX2; which one runs is found at run time. Instantiated
- * for NoCount and NodeCount.
+ * Instantiated for NoCount, for AVX2, too (which one runs is found at run time), and for NodeCount,
+ * only as it runs on every machine.
  */
 template <int Dim, typename Count>
 void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
@@ -48,11 +48,6 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
   NoCount count;
   FindLeavesInRadius(tree, node, radius, startDepth, found, count, reading);
 }
-
-/** The same as it runs on every machine, to compare with. */
-template <int Dim>
-void FindLeavesInRadiusPlainly(const Octree<Dim>& tree, MortonKey<Dim> node, double radius,
-  int startDepth, std::vector<Neighbor<Dim>>& found, NodeCount& count, EmptyOctants reading);
 }
 
 #endif

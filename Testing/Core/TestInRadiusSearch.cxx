@@ -61,10 +61,9 @@ protected:
           FindLeavesInRadius(tree, node, radius, startDepth, found, count, reading);
           ASSERT_TRUE(AreSame(found, first));
           ASSERT_LE(count.Nodes, mostNodes);
-          NodeCount plainCount;
-          FindLeavesInRadiusPlainly(tree, node, radius, startDepth, found, plainCount, reading);
+          // What does not count is compiled for another machine.
+          FindLeavesInRadius(tree, node, radius, startDepth, found, reading);
           ASSERT_TRUE(AreSame(found, first));
-          ASSERT_EQ(plainCount.Nodes, count.Nodes);
         }
       }
     }
