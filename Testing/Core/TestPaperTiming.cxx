@@ -70,7 +70,8 @@ TEST(TestPaperTiming, FewSearchesAreDoneBeforeTheyAreMeasured)
   EXPECT_DOUBLE_EQ(few[1].Median * MostWarmedSearches, 13.0); // Of 11, 13 and 15.
   EXPECT_DOUBLE_EQ(time(MostWarmedSearches + 1)[1].Median * (MostWarmedSearches + 1), 11.0);
   // Five times before: of 15, 21 and 27.
-  EXPECT_DOUBLE_EQ(time(WarmingSearches / 5)[1].Median * (WarmingSearches / 5), 21.0);
+  constexpr std::size_t fifth = WarmingSearches / 5;
+  EXPECT_DOUBLE_EQ(time(fifth)[1].Median * fifth, 21.0);
   // Ten times before: of 20, 31 and 42.
   EXPECT_DOUBLE_EQ(time(1)[1].Median, 31.0);
 }
