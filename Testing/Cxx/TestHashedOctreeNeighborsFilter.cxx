@@ -130,13 +130,12 @@ void ExpectCellsOf(TestedNeighborsFilter& filter, const ShownLeaves& leaves)
   }
   EXPECT_EQ(static_cast<std::size_t>(filter.GetCells()->GetNumberOfPoints()), corners.size() + 8)
     << "neighbours share corners, but not with the query leaf";
-  vtkIdType sizeOfQuery;
-  const vtkIdType* cornersOfQuery;
-  vtkNew<vtkIdList> buffer;
-  filter.GetCells()->GetCells()->GetCellAtId(0, sizeOfQuery, cornersOfQuery, buffer);
-  for (vtkIdType corner = 0; corner < sizeOfQuery; ++corner)
+  vtkNew<vtkIdList> cornersOfQuery;
+  filter.GetCells()->GetCellPoints(0, cornersOfQuery);
+  ASSERT_EQ(cornersOfQuery->GetNumberOfIds(), 8);
+  for (vtkIdType corner = 0; corner < 8; ++corner)
   {
-    EXPECT_EQ(cornersOfQuery[corner], static_cast<vtkIdType>(corners.size()) + corner);
+    EXPECT_EQ(cornersOfQuery->GetId(corner), static_cast<vtkIdType>(corners.size()) + corner);
   }
 }
 
