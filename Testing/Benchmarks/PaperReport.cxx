@@ -39,10 +39,11 @@ void WriteConditions(std::ostream& out, const std::vector<PaperResults>& sets, i
       << " threads, of which one is used; the paper's: Pentium IV, 3 GHz\n- Compiler: "
       << HASHEDOCTREE_COMPILER << "\n- Times: medians of " << repetitions
       << " repetitions, structures in turns, each repeated for at least "
-      << 1e3 * SecondsOfMeasurement << " ms, and where they have at most "
-      << MostWarmedSearches / 1000 << " thousand searches after some that are not measured, "
-      << WarmingSearches / 1000 << " thousand or once all, at most " << MostWarmingRuns
-      << " times all; after ~ their spread, which is the width of the middle half of the "
+      << 1e3 * SecondsOfMeasurement << " ms, and runs of at most " << MostWarmedSearches / 1000
+      << " thousand searches after 1 to " << MostWarmingRuns << " that are not measured, of "
+      << WarmingSearches / 1000
+      << " thousand in all if possible; after ~ their spread, which is the width of the middle "
+         "half of the "
          "repetitions in percent of the median\n- Trees: one point per leaf to depth 21, empty "
          "leaves are nodes; all structures have the same leaves\n- Point sets: made by "
          "Data/make_point_sets.py as stand-ins for the paper's, see Data/README.md; the points "

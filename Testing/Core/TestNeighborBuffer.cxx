@@ -67,7 +67,7 @@ TYPED_TEST(TestNeighborBuffer, AppendsLeavesInOrderByAvx2)
 {
   if (!HasAvx2())
   {
-    GTEST_SKIP() << "this machine has no AVX2";
+    GTEST_SKIP() << "this machine has no AVX2 instructions, so there are no vectors to test";
   }
   this->ExpectLeavesInOrder(Avx2Machine());
 }
