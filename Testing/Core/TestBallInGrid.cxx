@@ -56,6 +56,35 @@ TYPED_TEST(TestBallInGrid, EveryPointInTheBallIsBetweenItsCorners)
   }
 }
 
+TYPED_TEST(TestBallInGrid, RoundingOfPlacesLeavesNoPointOut)
+{
+  constexpr int dim = TypeParam::value;
+  using Key = MortonKey<dim>;
+  Position<dim> lower;
+  Position<dim> upper;
+  lower.fill(-0.1);
+  upper.fill(0.6);
+  const Grid<dim> grid(Box<dim>(lower, upper));
+  std::mt19937_64 random(173);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    // Beside a face of a cell of the deepest depth; a point that is one step of a double away.
+    const int axis = trial % dim;
+    Position<dim> center{};
+    const double cells = std::floor(uniform(random) * Key::CellsPerSide);
+    center[axis] = lower[axis] + cells * grid.GetSide(Key::MaxDepth);
+    Position<dim> point = center;
+    point[axis] = std::nextafter(center[axis], trial / dim % 2 == 0 ? lower[axis] : upper[axis]);
+    const double distance = point[axis] - center[axis];
+    BallInGrid<dim> ball(grid, center);
+    ball.SetRadius2(distance * distance);
+    const Cell<dim> cell = grid.GetCell(point.data());
+    ASSERT_GE(cell[axis], ball.GetLower()[axis]);
+    ASSERT_LE(cell[axis], ball.GetUpper()[axis]);
+  }
+}
+
 TYPED_TEST(TestBallInGrid, DepthsAreTheDeepest)
 {
   constexpr int dim = TypeParam::value;

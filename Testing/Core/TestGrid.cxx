@@ -64,6 +64,21 @@ TEST(TestGridFacts, PositionsOutsideGetTheNearestCell)
   EXPECT_EQ(grid.GetCellCoordinate(NAN, 0), 0U);
 }
 
+TYPED_TEST(TestGrid, OneCoordinateMakesAPositionNotFinite)
+{
+  constexpr int dim = TypeParam::value;
+  EXPECT_TRUE(IsFinite(Position<dim>{}));
+  for (int axis = 0; axis < dim; ++axis)
+  {
+    for (const double coordinate : { double(INFINITY), -double(INFINITY), double(NAN) })
+    {
+      Position<dim> x{};
+      x[axis] = coordinate;
+      EXPECT_FALSE(IsFinite(x)) << axis << ' ' << coordinate;
+    }
+  }
+}
+
 TEST(TestGridFacts, WidestBoxHasFiniteSide)
 {
   const double most = Grid<1>::MaxCoordinate;
