@@ -84,19 +84,12 @@ public:
       const Pair nearest = GetLarger(GetLarger(below, above), Pair{});
       nearest2[axis] = nearest * nearest;
     }
-    // Sums over the last axes, for all places along them. (In whatever order: see above.)
-    std::array<Pair, Key::NumberOfOctants / 2> sums;
+    Pair sums[Key::NumberOfOctants / 2];
     sums[0] = nearest2[Dim - 1];
     std::size_t count = 1;
-    for (int axis = Dim - 2; axis >= 0; --axis, count *= 2)
+    for (int axis = Dim - 2; axis >= 0; --axis)
     {
-      const double first = nearest2[axis][0];
-      const double second = nearest2[axis][1];
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        sums[count + i] = second + sums[i];
-        sums[i] = first + sums[i];
-      }
+      AddAxis(nearest2[axis][0], nearest2[axis][1], sums, count);
     }
     std::uint32_t meeting = 0;
     for (unsigned i = 0; i < count; ++i)
@@ -123,13 +116,9 @@ public:
       sums[0] += Spread<last - 1, 0b01010000>(first, second);
     }
     std::size_t count = 1;
-    for (int axis = Dim - 3; axis >= 0; --axis, count *= 2)
+    for (int axis = Dim - 3; axis >= 0; --axis)
     {
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        sums[count + i] = second[axis] + sums[i];
-        sums[i] = first[axis] + sums[i];
-      }
+      AddAxis(first[axis], second[axis], sums, count);
     }
     const __m256d radius2 = _mm256_set1_pd(this->Radius2);
     unsigned meeting = 0;
@@ -215,6 +204,20 @@ private:
     }
   };
   static constexpr OctantSteps Steps{};
+
+  /** Sums over the last axes, for all places along them, become sums over one more axis, which has
+   * two places. (In whatever order: see above.) */
+  template <typename Sum>
+  HASHEDOCTREE_INLINE static void AddAxis(
+    double first, double second, Sum* sums, std::size_t& count)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      sums[count + i] = second + sums[i];
+      sums[i] = first + sums[i];
+    }
+    count *= 2;
+  }
 
   using Truths = Lanes<std::int64_t, 2>;
 
