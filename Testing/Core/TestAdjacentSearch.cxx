@@ -54,10 +54,7 @@ protected:
         Neighbors found(1);
         NodeCount count;
         FindAdjacentLeaves(tree, node, startDepth, found, count, reading);
-        ASSERT_EQ(found.size(), first.size());
-        ASSERT_TRUE(std::equal(found.begin(), found.end(), first.begin(),
-          [](const auto& a, const auto& b)
-          { return a.Key == b.Key && a.ParentBlock == b.ParentBlock && a.Case == b.Case; }));
+        ASSERT_TRUE(AreSame(found, first));
         std::uint64_t expected = adjacentNodes;
         for (const std::uint64_t leaf : complete)
         {

@@ -32,14 +32,6 @@ protected:
     return radii;
   }
 
-  static bool AreSame(
-    const std::vector<Neighbor<Dim>>& found, const std::vector<Neighbor<Dim>>& expected)
-  {
-    return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
-      [](const auto& a, const auto& b)
-      { return a.Key == b.Key && a.ParentBlock == b.ParentBlock && a.Case == b.Case; });
-  }
-
   static void Check(const Octree<Dim>& tree, const BruteForceNeighbors<Dim>& oracle, Key node)
   {
     const double side = tree.GetGrid().GetSide();

@@ -23,6 +23,16 @@ std::vector<std::uint64_t> GetSortedKeys(const std::vector<hashedoctree::Neighbo
   return keys;
 }
 
+/** Whether the same neighbours were found in the same order, with the same told of each. */
+template <int Dim>
+bool AreSame(const std::vector<hashedoctree::Neighbor<Dim>>& found,
+  const std::vector<hashedoctree::Neighbor<Dim>>& expected)
+{
+  return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
+    [](const auto& a, const auto& b)
+    { return a.Key == b.Key && a.ParentBlock == b.ParentBlock && a.Case == b.Case; });
+}
+
 /** Checks what is told of each neighbour of a node beside its key. */
 template <int Dim>
 void ExpectWellDescribed(const hashedoctree::Octree<Dim>& tree, hashedoctree::MortonKey<Dim> node,
