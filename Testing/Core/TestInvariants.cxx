@@ -146,6 +146,19 @@ TEST_F(TestInvariants, WrongFirstChild)
   this->ExpectBroken("keys and masks agree");
 }
 
+TEST_F(TestInvariants, BlocksThatAreNotFollowed)
+{
+  // What is beyond the last one must not be looked at, and a circle must end.
+  for (const std::uint32_t wrong : { 1U << 30, 0U })
+  {
+    Octree<3>::Octants& octants = this->GetOctants(0);
+    const std::uint32_t sound = octants.FirstChild;
+    octants.FirstChild = wrong;
+    this->ExpectBroken("keys and masks agree");
+    octants.FirstChild = sound;
+  }
+}
+
 TEST_F(TestInvariants, WrongTableEntry)
 {
   const auto* entry = this->GetTable().Find(this->Tree.GetBlockKey(7).GetValue());
