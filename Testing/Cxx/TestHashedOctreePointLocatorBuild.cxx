@@ -441,7 +441,11 @@ TEST(TestHashedOctreePointLocatorBuild, MorePointsThanCanBeCopiedAreAnError)
   image->SetDimensions(1 << 21, 1 << 20, 1 << 20); // more than a size_t can count.
   TestedLocator locator(image);
   EXPECT_EQ(locator->FindClosestPoint(1.0, 1.0, 1.0), -1);
-  EXPECT_EQ(locator.Errors.size(), 1U);
+  ASSERT_EQ(locator.Errors.size(), 1U);
+  const char* const problem = sizeof(hashedoctree::PointIndex) == 4
+    ? "more points than 32 bits can number"
+    : "not enough memory";
+  EXPECT_NE(locator.Errors[0].find(problem), std::string::npos) << locator.Errors[0];
   locator.Errors.clear();
   locator.ExpectToFindNothing();
 }
