@@ -21,9 +21,10 @@ namespace hashedoctree
  * they are, so the answer is exact whatever the hash.
  *
  * Slots are probed linearly, a bucket at a time. A bucket is one cache line, its keys are compared
- * together, and it ends the probing unless it is full: so a key that is not there, which is what a
- * search that starts too deep meets most often, costs one cache line and no guessing of branches.
- * Erase() leaves no marks behind: the buckets between a key's home and its own stay full.
+ * together, and it ends the probing unless a key was turned away from it, being full: so a key that
+ * is not there, which is what a search that starts too deep meets most often, mostly costs one
+ * cache line and no guessing of branches. Erase() leaves no marks behind: the buckets between a
+ * key's home and its own stay full.
  *
  * Const members may be called from many threads at once. Find(), Insert() and Erase() are O(1) on
  * average.
@@ -70,24 +71,17 @@ public:
   }
 
   /** Adds a key, not 0 and not in the table yet. Adding more than there is room for is not
-   * allowed. Returns where the value is. */
+   * allowed. Returns where the value is; references to other values end. */
   Value& Insert(std::uint64_t key, const Value& value)
   {
     std::size_t home = this->GetHome(key);
     while (this->Buckets[home].IsFull())
     {
+      this->Buckets[home].SetTurnedAway(true);
       home = this->GetNext(home);
     }
-    Bucket& bucket = this->Buckets[home];
-    std::size_t slot = 0;
-    while (bucket.Keys[slot] != 0)
-    {
-      ++slot;
-    }
-    bucket.Keys[slot] = key;
-    bucket.Values[slot] = value;
     ++this->NumberOfKeys;
-    return bucket.Values[slot];
+    return this->Buckets[home].Add(key, value);
   }
 
   /** Takes out a key, not 0; whether it was there. References to values end. */
@@ -97,18 +91,18 @@ public:
     {
       Bucket& bucket = this->Buckets[home];
       const auto* slot = std::find(bucket.Keys, bucket.Keys + SlotsOfBucket, key);
-      const bool wasFull = bucket.IsFull();
+      const bool turnedAway = bucket.HasTurnedAway();
       if (slot != bucket.Keys + SlotsOfBucket)
       {
         bucket.Remove(static_cast<std::size_t>(slot - bucket.Keys));
         --this->NumberOfKeys;
-        if (wasFull)
+        if (turnedAway)
         {
           this->FillHole(home);
         }
         return true;
       }
-      if (!wasFull)
+      if (!turnedAway)
       {
         return false;
       }
@@ -137,7 +131,7 @@ public:
       {
         return &bucket.Values[__builtin_ctz(match)];
       }
-      if (!bucket.IsFull())
+      if (!bucket.HasTurnedAway())
       {
         return nullptr;
       }
@@ -182,11 +176,25 @@ public:
       {
         if (key != 0)
         {
-          const std::size_t distance = this->GetDistance(this->GetHome(key), bucket);
-          lengths.resize(std::max(lengths.size(), distance + 1), 0);
-          ++lengths[distance];
+          CountAt(lengths, this->GetDistance(this->GetHome(key), bucket));
         }
       }
+    }
+    return lengths;
+  }
+  /** For how many buckets a key that belongs there and is not in the table costs a look at i + 1
+   * buckets, at index i. O(slots). */
+  std::vector<std::size_t> GetProbeLengthsOfAbsentKeys() const
+  {
+    std::vector<std::size_t> lengths;
+    for (std::size_t home = 0; home < this->Buckets.GetSize(); ++home)
+    {
+      std::size_t last = home;
+      while (this->Buckets[last].HasTurnedAway())
+      {
+        last = this->GetNext(last);
+      }
+      CountAt(lengths, this->GetDistance(home, last));
     }
     return lengths;
   }
@@ -201,7 +209,31 @@ private:
     Value Values[SlotsOfBucket];
 
     bool IsFull() const { return this->Keys[SlotsOfBucket - 1] != 0; }
-    /** The last key takes the place of the one that goes. */
+    /** Whether a key that belongs here may be further on. (The order of two keys costs no memory,
+     * and whether a bucket is full, which one in seven is, would be as much to ask.) */
+    bool HasTurnedAway() const { return this->Keys[0] < this->Keys[1]; }
+    void SetTurnedAway(bool turnedAway)
+    {
+      if (this->HasTurnedAway() != turnedAway)
+      {
+        std::swap(this->Keys[0], this->Keys[1]);
+        std::swap(this->Values[0], this->Values[1]);
+      }
+    }
+    /** To one that is not full. */
+    Value& Add(std::uint64_t key, const Value& value)
+    {
+      std::size_t slot = 0;
+      while (this->Keys[slot] != 0)
+      {
+        ++slot;
+      }
+      this->Keys[slot] = key;
+      this->Values[slot] = value;
+      this->SetTurnedAway(false);
+      return this->Values[slot == 1 && this->Keys[0] == key ? 0 : slot];
+    }
+    /** The last key takes the place of the one that goes. No key is then turned away. */
     void Remove(std::size_t slot)
     {
       std::size_t last = SlotsOfBucket - 1;
@@ -212,9 +244,16 @@ private:
       this->Keys[slot] = this->Keys[last];
       this->Values[slot] = this->Values[last];
       this->Keys[last] = 0;
+      this->SetTurnedAway(false);
     }
   };
   static_assert(sizeof(Value) == 8 && SlotsOfBucket == MatchedKeys, "a bucket is one cache line");
+
+  static void CountAt(std::vector<std::size_t>& lengths, std::size_t distance)
+  {
+    lengths.resize(std::max(lengths.size(), distance + 1), 0);
+    ++lengths[distance];
+  }
 
   std::size_t GetHome(std::uint64_t key) const { return this->Slots.GetSlot(key) / SlotsOfBucket; }
   std::size_t GetNext(std::size_t bucket) const
@@ -227,23 +266,23 @@ private:
     return to >= from ? to - from : to + this->Buckets.GetSize() - from;
   }
 
-  /** Fills the free slot of a bucket that was full until now. A key further on belongs there when
-   * its home is not beyond the hole; the first such leaves the next hole, until a bucket that was
-   * not full ends the probing. */
+  /** Fills the free slot of a bucket that had turned keys away. A key further on belongs there when
+   * its home is not beyond the hole; the first such leaves the next hole, until a bucket that had
+   * turned none away ends the probing. */
   void FillHole(std::size_t hole)
   {
-    bool wasFull = true;
-    for (std::size_t from = this->GetNext(hole); wasFull; from = this->GetNext(from))
+    bool turnedAway = true;
+    for (std::size_t from = this->GetNext(hole); turnedAway; from = this->GetNext(from))
     {
       Bucket& bucket = this->Buckets[from];
-      wasFull = bucket.IsFull();
+      turnedAway = bucket.HasTurnedAway();
       for (std::size_t slot = 0; slot < SlotsOfBucket && bucket.Keys[slot] != 0; ++slot)
       {
         if (this->GetDistance(this->GetHome(bucket.Keys[slot]), from) >=
           this->GetDistance(hole, from))
         {
-          this->Buckets[hole].Keys[SlotsOfBucket - 1] = bucket.Keys[slot];
-          this->Buckets[hole].Values[SlotsOfBucket - 1] = bucket.Values[slot];
+          this->Buckets[hole].Add(bucket.Keys[slot], bucket.Values[slot]);
+          this->Buckets[hole].SetTurnedAway(true); // There may be more.
           bucket.Remove(slot);
           hole = from;
           break;

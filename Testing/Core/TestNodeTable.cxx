@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <numeric>
 #include <random>
 #include <set>
@@ -176,6 +177,32 @@ TYPED_TEST(TestNodeTable, ErasesAsTheStandardTableDoes)
       [capacity](auto& random)
       { return ((1 + random() % capacity) << 30) - 12 + 4 * (random() % 6); });
   }
+}
+
+TYPED_TEST(TestNodeTable, WhatIsNotThereEndsAtABucketThatTurnedNoneAway)
+{
+  std::vector<std::uint64_t> keys(100000);
+  std::mt19937_64 random(43);
+  std::generate(keys.begin(), keys.end(), std::ref(random));
+  auto table = MakeTable<TypeParam>(keys);
+  const auto shareOfFirst = [&table]
+  {
+    const std::vector<std::size_t> lengths = table.GetProbeLengthsOfAbsentKeys();
+    const std::size_t buckets = table.GetNumberOfSlots() / SlotsOfBucket;
+    EXPECT_EQ(std::accumulate(lengths.begin(), lengths.end(), std::size_t(0)), buckets);
+    return static_cast<double>(lengths[0]) / static_cast<double>(buckets);
+  };
+  EXPECT_GT(shareOfFirst(), 0.9) << "although every seventh bucket of a half full table is full";
+  for (std::size_t i = 0; i < keys.size() / 2; ++i)
+  {
+    ASSERT_TRUE(table.Erase(keys[i]));
+  }
+  EXPECT_GT(shareOfFirst(), 0.98);
+  for (std::size_t i = keys.size() / 2; i < keys.size(); ++i)
+  {
+    ASSERT_TRUE(table.Erase(keys[i]));
+  }
+  EXPECT_EQ(shareOfFirst(), 1.0) << "an empty table has no marks left";
 }
 
 TYPED_TEST(TestNodeTable, GrowsWithItsKeys)
