@@ -161,7 +161,7 @@ bool vtkHashedOctreePointLocator::HasSamePoints() const
 void vtkHashedOctreePointLocator::BuildLocator()
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  if (this->Built && this->UseExistingSearchStructure)
+  if (this->UseExistingSearchStructure && this->Built && this->Built->Bounds)
   {
     return;
   }

@@ -221,8 +221,8 @@ public:
   vtkIdType GetPointsWithinBoxCost(const double bounds[6]);
   ///@}
 
-  /** Builds the tree unless it is up to date or, where there is one, UseExistingSearchStructure is
-   * on. O(n). */
+  /** Builds the tree unless it is up to date or, where there is one of any points,
+   * UseExistingSearchStructure is on. O(n). */
   void BuildLocator() override;
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
   /** Builds the tree. O(n). */

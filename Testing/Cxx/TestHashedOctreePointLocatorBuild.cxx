@@ -214,6 +214,28 @@ TEST(TestHashedOctreePointLocatorBuild, ForceBuildLocatorAlwaysBuilds)
 }
 
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+TEST(TestHashedOctreePointLocatorBuild, UseExistingSearchStructureWaitsForPoints)
+{
+  const auto points = MakePolyData<float>({ 1, 2, 3 });
+  const auto none = MakePolyData<float>({});
+  const auto notFinite = MakePolyData<float>({ NAN, 0, 0 });
+  for (vtkPolyData* first : { static_cast<vtkPolyData*>(nullptr), none.Get(), notFinite.Get() })
+  {
+    TestedLocator locator(first);
+    locator->UseExistingSearchStructureOn();
+    EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), -1);
+    locator.Warnings.clear();
+    locator->SetDataSet(points);
+    EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), 0);
+  }
+  TestedLocator locator(none);
+  locator->UseExistingSearchStructureOn();
+  locator->BuildLocator();
+  none->SetPoints(points->GetPoints());
+  locator->BuildLocator();
+  EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), 0);
+}
+
 TEST(TestHashedOctreePointLocatorBuild, UseExistingSearchStructureNeverRebuilds)
 {
   CountedLocator locator;
