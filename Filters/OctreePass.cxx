@@ -71,6 +71,13 @@ void OctreePass::ExecuteAny(
   {
     this->RefuseInput();
   }
+  if (this->ImplicitBlocks > 0)
+  {
+    vtkWarningWithObjectMacro(this->Algorithm,
+      << "Blocks left out because their points have no coordinates of their own, as those of "
+         "images: "
+      << this->ImplicitBlocks << ". vtkConvertToPointCloud gives them some.");
+  }
 }
 
 void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
@@ -92,7 +99,12 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   double block = 0.0;
   for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
   {
-    auto* points = vtkPointSet::SafeDownCast(blocks->GetCurrentDataObject());
+    vtkDataObject* data = blocks->GetCurrentDataObject();
+    auto* points = vtkPointSet::SafeDownCast(data);
+    if (points == nullptr && data->GetNumberOfElements(vtkDataObject::POINT) > 0)
+    {
+      ++this->ImplicitBlocks;
+    }
     const Outputs results = this->Process(
       points, makeOutputs, execution.Part(block / numberOfBlocks, (block + 1.0) / numberOfBlocks));
     for (std::size_t i = 0; i < results.size(); ++i)
@@ -174,7 +186,10 @@ void OctreePass::RefuseInput() const
 {
   if (this->AllPoints == 0)
   {
-    throw std::invalid_argument("The input has no points; give a data set with points.");
+    throw std::invalid_argument(this->ImplicitBlocks > 0
+        ? "The points of the input have no coordinates of their own, as those of images; "
+          "vtkConvertToPointCloud gives them some."
+        : "The input has no points; give a data set with points.");
   }
   throw std::invalid_argument(this->Root
       ? "No point with finite coordinates lies in CustomBounds; widen them."

@@ -83,6 +83,7 @@ private:
   vtkIdType AllPoints = 0;
   std::size_t SkippedPoints = 0;
   std::size_t UsedPoints = 0;
+  std::size_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
 };
 }
 

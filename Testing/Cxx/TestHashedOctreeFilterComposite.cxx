@@ -53,6 +53,7 @@ TEST(TestHashedOctreeFilterComposite, EachBlockOfAMultiBlockHasItsTree)
   TestedFilter filter;
   filter->SetInputData(input);
   filter.UpdateWithoutErrors();
+  filter.ExpectWarning("images: 1.");
   const auto outputsOfFirst = MakeOutputsOf(first);
   const auto outputsOfSecond = MakeOutputsOf(second);
   for (int port = 0; port < 3; ++port)
@@ -71,6 +72,17 @@ TEST(TestHashedOctreeFilterComposite, EachBlockOfAMultiBlockHasItsTree)
     EXPECT_EQ(innerOutput->GetBlock(0), nullptr);
     ExpectSame(innerOutput->GetBlock(1), outputsOfSecond[static_cast<std::size_t>(port)]);
   }
+}
+
+TEST(TestHashedOctreeFilterComposite, BlocksWithoutCoordinatesAloneAreAnError)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  vtkNew<vtkMultiBlockDataSet> input;
+  input->SetBlock(0, image);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.UpdateExpectingError("no coordinates of their own");
 }
 
 TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
