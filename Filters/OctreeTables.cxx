@@ -48,7 +48,7 @@ void FillDepthHistogram(vtkTable* table, const DepthCounts& counts, int dimensio
 void FillCostCurves(
   vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured, int dimension)
 {
-  const std::size_t rows = counts.Leaves.size();
+  const std::size_t rows = measured.Leaves.size();
   const auto addModel = [&](const char* name, FrequencyModel model)
   {
     const DepthHistogram histogram = GetDepthHistogram(counts, model, dimension);

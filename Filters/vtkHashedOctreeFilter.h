@@ -41,8 +41,8 @@
  * EmptyLeaves, Points, GridWeight (volume of the leaves, in a quadtree their area, in cells of the
  * deepest depth).
  *
- * Output port 2, vtkTable, one row for each start depth from 0 to the deepest, mean number of
- * nodes that one search examines: StartDepth, CostLeaves, CostPoints, CostGrid (the model),
+ * Output port 2, vtkTable, one row for each start depth from 0 to the deepest, and at least to 1,
+ * mean number of nodes that one search examines: StartDepth, CostLeaves, CostPoints, CostGrid (the model),
  * MeasuredLeaves, MeasuredPoints (counted in searches for every leaf), ContinuousLeaves (the
  * paper's differentiable cost at StartDepth + 1/2).
  *

@@ -3,6 +3,7 @@
 
 #include "DirectSearch.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <optional>
@@ -24,6 +25,13 @@ template <int Dim>
 using Part = Sums<Dim, std::uint64_t>;
 template <int Dim>
 using Total = Sums<Dim, std::atomic<std::uint64_t>>;
+
+/** The deepest start depth to count for. */
+template <int Dim>
+int GetLastStartDepth(const Octree<Dim>& tree)
+{
+  return std::max(tree.GetDeepestDepth(), 1);
+}
 
 /** The keys that searches for the leaves of a block look up, and do not find, when they start below
  * them: scattered over the table, so they are asked for well ahead. */
@@ -61,7 +69,7 @@ public:
   Counts Count(MortonKey<Dim> key)
   {
     this->GoTo(key);
-    const auto deepest = static_cast<std::size_t>(this->Tree.GetDeepestDepth());
+    const auto deepest = static_cast<std::size_t>(GetLastStartDepth(this->Tree));
     Counts nodes{};
     for (std::size_t depth = 0; depth <= deepest; ++depth)
     {
@@ -78,7 +86,7 @@ private:
   void GoTo(MortonKey<Dim> key)
   {
     int depth = this->Last ? MortonKey<Dim>::GetCommonDepth(*this->Last, key) + 1 : 0;
-    for (; depth <= this->Tree.GetDeepestDepth(); ++depth)
+    for (; depth <= GetLastStartDepth(this->Tree); ++depth)
     {
       this->Cases[static_cast<std::size_t>(depth)] = this->Examine(key.AtDepth(depth));
     }
@@ -155,7 +163,7 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
   MeasuredCost mean;
   const auto leaves = static_cast<double>(tree.GetNumberOfLeaves());
   const auto points = static_cast<double>(tree.GetNumberOfPoints());
-  for (std::size_t depth = 0; depth <= static_cast<std::size_t>(tree.GetDeepestDepth()); ++depth)
+  for (std::size_t depth = 0; depth <= static_cast<std::size_t>(GetLastStartDepth(tree)); ++depth)
   {
     mean.Leaves.push_back(static_cast<double>(total.Leaves[depth]) / leaves);
     mean.Points.push_back(points > 0.0 ? static_cast<double>(total.Points[depth]) / points : 0.0);

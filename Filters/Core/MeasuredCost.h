@@ -9,7 +9,7 @@
 namespace hashedoctree
 {
 /** Mean number of nodes that searches examine, counted for each start depth from 0 to the tree's
- * deepest. Nothing in it comes from the cost model. */
+ * deepest, and at least to 1: two make a curve. Nothing in it comes from the cost model. */
 struct MeasuredCost
 {
   std::vector<double> Leaves; ///< Every leaf searched for once, empty ones too.
