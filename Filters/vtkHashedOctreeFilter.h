@@ -42,9 +42,9 @@
  * deepest depth).
  *
  * Output port 2, vtkTable, one row for each start depth from 0 to the deepest, and at least to 1,
- * mean number of nodes that one search examines: StartDepth, CostLeaves, CostPoints, CostGrid (the model),
- * MeasuredLeaves, MeasuredPoints (counted in searches for every leaf), ContinuousLeaves (the
- * paper's differentiable cost at StartDepth + 1/2).
+ * mean number of nodes that one search examines: StartDepth, CostLeaves, CostPoints, CostGrid (the
+ * model), MeasuredLeaves, MeasuredPoints (counted in searches for every leaf), ContinuousLeaves
+ * (the paper's differentiable cost at StartDepth + 1/2).
  *
  * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite,
  * or further from 0 than a quarter of the largest double (4.4e307), are left out with one warning.
