@@ -6,7 +6,9 @@
  * The properties of the tree, and of where searches in it start: filters with the same values build
  * the same tree. Input port 0 is any vtkPointSet; of composite data sets every block is taken by
  * itself, and the outputs are then composite data sets of its structure and, unless they are of
- * tables, of its kind, where the filter does not say otherwise. Abstract.
+ * tables, of its kind, where the filter does not say otherwise. Blocks that have points but are no
+ * vtkPointSets, as images, are left out with one warning; it is an error if there are no others
+ * with points. Abstract.
  *
  * The tree is an octree or, of points in a plane, a quadtree: a square in two of the coordinates,
  * split into four. Its cells lie in the plane through the lowest third coordinate of the points

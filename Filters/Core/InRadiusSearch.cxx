@@ -216,16 +216,14 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
   walk.Search(PlainMachine(), startDepth);
 }
 
-#define HASHEDOCTREE_INSTANTIATE(Dim, Count)                                                       \
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
-    std::vector<Neighbor<Dim>>&, Count&, EmptyOctants);
-HASHEDOCTREE_INSTANTIATE(1, NoCount)
-HASHEDOCTREE_INSTANTIATE(1, NodeCount)
-HASHEDOCTREE_INSTANTIATE(2, NoCount)
-HASHEDOCTREE_INSTANTIATE(2, NodeCount)
-HASHEDOCTREE_INSTANTIATE(3, NoCount)
-HASHEDOCTREE_INSTANTIATE(3, NodeCount)
-HASHEDOCTREE_INSTANTIATE(4, NoCount)
-HASHEDOCTREE_INSTANTIATE(4, NodeCount)
+    std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants);                                          \
+  template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
+    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -209,8 +209,9 @@ private:
     Value Values[SlotsOfBucket];
 
     bool IsFull() const { return this->Keys[SlotsOfBucket - 1] != 0; }
-    /** Whether a key that belongs here may be further on. (The order of two keys costs no memory,
-     * and whether a bucket is full, which one in seven is, would be as much to ask.) */
+    /** Whether a key that belongs here may be further on: the order of two keys tells, which costs
+     * no memory. (In a half full table 0.14 to 0.17 of the buckets are full, 0.04 to 0.07 have
+     * turned a key away.) */
     bool HasTurnedAway() const { return this->Keys[0] < this->Keys[1]; }
     void SetTurnedAway(bool turnedAway)
     {
