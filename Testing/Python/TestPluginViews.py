@@ -9,6 +9,9 @@ smtesting.ProcessCommandLineArguments()
 octree = simple.HashedOctree(Input=simple.Sphere(ThetaResolution=64, PhiResolution=64))
 octree.UpdatePipeline()
 controller = servermanager.ParaViewPipelineController()
+LABELS = {1: {"Empty leaves", "Leaves", "Points"},
+          2: {"Leaves, continuous", "Grid", "Leaves", "Points", "Leaves, measured",
+              "Points, measured"}}
 
 
 def show(port, filter_=octree):
@@ -18,6 +21,14 @@ def show(port, filter_=octree):
     view.ViewSize = [400, 300]
     simple.Render(view)
     return view, view.Representations[0]
+
+
+def drawn(shown):
+    """What a chart's legend says, and how many rows the table has that is drawn."""
+    chart = shown.SMProxy.GetClientSideObject().GetChart()
+    plots = [plot for plot in map(chart.GetPlot, range(chart.GetNumberOfPlots()))
+             if plot.GetVisible() and plot.GetLabel()]
+    return {plot.GetLabel() for plot in plots}, plots[0].GetInput().GetNumberOfRows()
 
 
 view, shown = show(0)
@@ -31,13 +42,25 @@ assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis
 assert list(shown.SeriesVisibility) == sorted(octreetesting.COSTS[1:]), shown.SeriesVisibility
 assert view.BottomAxisTitle and view.LeftAxisTitle
 
-# Charts draw the tables of partitioned data sets, too.
+# Charts draw the tables of composite data, and what is chosen for a column holds in every block.
+blocks = simple.GroupDatasets(Input=[octree.Input, simple.Sphere(Center=[9.0, 0.0, 0.0])])
 partitions = simple.ConvertToPartitionedDataSetCollection(Input=octree.Input)
-of_partitions = simple.HashedOctree(Input=partitions)
-of_partitions.UpdatePipeline()
-view, shown = show(1, of_partitions)
-series = list(shown.GetProperty("SeriesVisibility").Available)
-assert any(name.startswith("Leaves (") for name in series), series
+for composite in (blocks, partitions):
+    of_composite = simple.HashedOctree(Input=composite)
+    of_composite.UpdatePipeline()
+    for port, columns in ((1, octreetesting.HISTOGRAM), (2, octreetesting.COSTS)):
+        view, shown = show(port, of_composite)
+        for name in shown.ListProperties():
+            if name.startswith("Series") and name != "SeriesLabelPrefix":
+                available = list(shown.GetProperty(name).Available)
+                assert available == sorted(columns), (name, available)
+        assert drawn(shown)[0] == LABELS[port], drawn(shown)
+        if composite is blocks:
+            rows = drawn(shown)[1]
+            shown.CompositeDataSetIndex = [2]
+            simple.Render(view)
+            labels, fewer = drawn(shown)
+            assert labels == LABELS[port] and fewer < rows, (labels, fewer, rows)
 
 # Query points without cells must be seen, too.
 locate = simple.HashedOctreeLocate(Input=octree.Input, QueryPoints=simple.PointSource())
