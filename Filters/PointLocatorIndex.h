@@ -7,12 +7,16 @@
 #include "PointTree.h"
 #include "vtkHashedOctreePointLocator.h"
 
-#include "vtkDataSet.h"
-#include "vtkPointSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cstddef>
 #include <optional>
+#include <typeinfo>
 #include <variant>
 
 /** What the locator has built: the tree over the points, in the precision that they came in, and
@@ -28,19 +32,25 @@ public:
   std::optional<hashedoctree::Box<3>> Bounds; ///< Of the points, if there are any.
   std::size_t SkippedPoints = 0;
   bool IsFailed = false;               ///< There was an error, and no point is found.
-  vtkPointSet* PointSet = nullptr;     ///< The locator's data set, if it is one with points,
+  vtkPointSet* PointSet = nullptr;     ///< The locator's data set, if it is watched by its parts,
   vtkPoints* PointsOfSet = nullptr;    ///< its points,
   vtkDataArray* Coordinates = nullptr; ///< and their coordinates.
 
-  /** Remembers what to ask whether the points have changed. */
+  /** Remembers what to ask whether the points have changed. Only of classes that are known, since
+   * others may tell of a change in their GetMTime() alone. */
   void Watch(vtkDataSet* dataSet)
   {
-    auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
-    if (pointSet != nullptr && pointSet->GetPoints() != nullptr)
+    if (!IsOneOf<vtkPolyData, vtkStructuredGrid, vtkUnstructuredGrid>(dataSet))
+    {
+      return;
+    }
+    auto* pointSet = static_cast<vtkPointSet*>(dataSet);
+    vtkPoints* points = pointSet->GetPoints();
+    if (IsOneOf<vtkPoints>(points) && IsOneOf<vtkDoubleArray, vtkFloatArray>(points->GetData()))
     {
       this->PointSet = pointSet;
-      this->PointsOfSet = pointSet->GetPoints();
-      this->Coordinates = this->PointsOfSet->GetData();
+      this->PointsOfSet = points;
+      this->Coordinates = points->GetData();
     }
   }
 
@@ -77,6 +87,14 @@ public:
     const hashedoctree::Position<3> position{ x[0], x[1], x[2] };
     const bool hasLeaf = tree.GetNumberOfPoints() > 0 && hashedoctree::IsFinite(position);
     return hasLeaf ? static_cast<Value>(function(tree.GetGrid().GetKey(x))) : nothing;
+  }
+
+private:
+  /** Whether an object is of one of the classes, and of none derived from it. */
+  template <typename... Classes>
+  static bool IsOneOf(const vtkObject* object)
+  {
+    return object != nullptr && ((typeid(*object) == typeid(Classes)) || ...);
   }
 };
 

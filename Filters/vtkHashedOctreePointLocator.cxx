@@ -151,7 +151,7 @@ bool vtkHashedOctreePointLocator::HasSamePoints() const
   // Each query asks, and to ask the cells and all arrays, too, takes as long as finding a point.
   // Who has not changed since the build still has the parts that it had then; but a set that is
   // initialized says so before it lets its points go. Times and points are read where they stand:
-  // three calls would be a fifth of a query that finds nothing.
+  // calls would be a sixth of a query that finds one point or none.
   constexpr auto time = &vtkHashedOctreePointLocator::MTime;
   return this->BuildTime > index.PointSet->*time &&
     index.PointSet->*PartsOfSet::PointsOfSet == index.PointsOfSet &&

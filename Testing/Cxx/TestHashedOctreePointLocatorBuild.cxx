@@ -15,6 +15,7 @@
 #include "vtkVersionMacros.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace
@@ -26,6 +27,22 @@ struct Freeing
 {
   TestedLocator& Freed;
   void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
+};
+
+/** Tells of changes by its GetMTime() alone. */
+template <typename Base>
+class Telling : public Base
+{
+public:
+  static Telling* New()
+  {
+    auto* object = new Telling;
+    object->InitializeObjectBase();
+    return object;
+  }
+  vtkMTimeType GetMTime() override { return std::max(Base::GetMTime(), this->Told.GetMTime()); }
+
+  vtkTimeStamp Told;
 };
 
 /** Counts builds by their warnings: every build meets one point that is not finite. */
@@ -189,6 +206,40 @@ TEST(TestHashedOctreePointLocatorBuild, OtherPointsInTheSameDataSetRebuild)
   EXPECT_EQ(locator->FindClosestPoint(x), 0);
   image->SetDimensions(0, 0, 0);
   EXPECT_EQ(locator->FindClosestPoint(x), -1);
+}
+
+TEST(TestHashedOctreePointLocatorBuild, WhoTellsOfChangesByGetMTimeAloneIsAsked)
+{
+  const double x[3] = { 0.9, 0.0, 0.0 };
+  const auto expectRebuild = [&x](vtkDataSet* dataSet, vtkPoints* points, vtkTimeStamp& told)
+  {
+    TestedLocator locator(dataSet);
+    EXPECT_EQ(locator->FindClosestPoint(x), 1);
+    vtkDataArray* array = points->GetData();
+    array->SetTuple3(0, 0.9, 0.0, 0.0);
+    array->SetTuple3(1, 0.0, 0.0, 0.0);
+    told.Modified();
+    EXPECT_EQ(locator->FindClosestPoint(x), 0);
+  };
+  {
+    const auto set = MakePolyData<double>({ 0, 0, 0, 1, 0, 0 });
+    vtkNew<Telling<vtkPoints>> points;
+    points->SetData(set->GetPoints()->GetData());
+    set->SetPoints(points);
+    expectRebuild(set, points, points->Told);
+  }
+  {
+    const auto set = MakePolyData<double>({ 0, 0, 0, 1, 0, 0 });
+    vtkNew<Telling<vtkDoubleArray>> array;
+    array->DeepCopy(set->GetPoints()->GetData());
+    set->GetPoints()->SetData(array);
+    expectRebuild(set, set->GetPoints(), array->Told);
+  }
+  {
+    vtkNew<Telling<vtkPolyData>> set;
+    set->ShallowCopy(MakePolyData<double>({ 0, 0, 0, 1, 0, 0 }));
+    expectRebuild(set, set->GetPoints(), set->Told);
+  }
 }
 
 TEST(TestHashedOctreePointLocatorBuild, CellsAndAttributesAskForNoNewTree)
