@@ -18,7 +18,8 @@ constexpr int MostDigitBits = 9; // 512 counters stay in the first cache.
 constexpr std::size_t MostDigits = std::size_t(1) << MostDigitBits;
 constexpr std::size_t InsertionLimit = 32;        // Up to here insertion beats counting digits.
 constexpr std::size_t SerialLimit = 32768;        // Up to here one thread sorts a node on its own,
-constexpr std::size_t SerialShare = 16;           // and up to this part of all points.
+constexpr std::size_t SerialShare = 16;           // and up to this part of all points,
+constexpr std::size_t MostSerial = 262144;        // but not more: a stop would have to wait.
 constexpr std::size_t ChunkSize = 16384;          // Points that a thread partitions at a time.
 constexpr PointIndex PlacesAhead = 8;             // Places of a digit that are on the way,
 constexpr std::ptrdiff_t MostInFirstCache = 1024; // with more points than these.
@@ -67,7 +68,8 @@ public:
   void Sort()
   {
     TouchPages(this->Scratch, this->Points.GetSize(), this->Threads);
-    const std::size_t limit = std::max(SerialLimit, this->Points.GetSize() / SerialShare);
+    const std::size_t limit =
+      std::clamp(this->Points.GetSize() / SerialShare, SerialLimit, MostSerial);
     std::vector<Range> large{ Range{ 0, this->Points.GetSize(), 0, false } };
     std::vector<Range> small;
     while (!large.empty())

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -183,4 +184,22 @@ TYPED_TEST(TestMortonOrder, CanBeInterrupted)
   int answers = 0;
   const Execution execution(OnThreads(1), [&answers](double) { return ++answers < 2; });
   EXPECT_THROW(SortAlongMortonCurve(points, 1, MortonKey<dim>::MaxDepth, execution), Interrupted);
+}
+
+TEST(TestMortonOrderOfClusters, LargeOnesAreNotSortedWithoutALook)
+{
+  constexpr std::size_t count = 300000;
+  constexpr std::size_t clusters = 16; // Of which each would be a fair share for one thread.
+  Buffer<CodedPoint<3>> points(clusters * count);
+  std::mt19937_64 random(56);
+  const std::uint64_t root = MortonKey<3>().GetFirstAtMaxDepth().GetValue();
+  for (std::size_t i = 0; i < points.GetSize(); ++i)
+  {
+    const std::uint64_t key = root | (i % clusters) << 57U | random() >> 24U;
+    points.GetData()[i] = CodedPoint<3>(MortonKey<3>(key), static_cast<PointIndex>(i));
+  }
+  std::size_t reports = 0;
+  const Execution execution(OnThreads(1), [&reports](double) { return ++reports > 0; });
+  SortAlongMortonCurve(points, 64, MortonKey<3>::MaxDepth, execution);
+  EXPECT_GT(reports, 3 * clusters); // To part them from each other takes 27.
 }
