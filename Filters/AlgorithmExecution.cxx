@@ -26,13 +26,18 @@ bool IsAborted(vtkAlgorithm* algorithm)
 
 /** Parts of a range for each thread: enough to share it out evenly. To some backends each part is a
  * job that wakes a thread. */
-constexpr vtkIdType PartsPerThread = 8;
+constexpr std::size_t PartsPerThread = 8;
+
+std::size_t GetNumberOfThreads()
+{
+  return static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
+}
 
 void RunOnThreads(
   std::size_t first, std::size_t last, std::size_t grain, const Execution::Body& body)
 {
   const auto count = static_cast<vtkIdType>(last - first);
-  const vtkIdType parts = PartsPerThread * vtkSMPTools::GetEstimatedNumberOfThreads();
+  const auto parts = static_cast<vtkIdType>(PartsPerThread * GetNumberOfThreads());
   // What leaves a thread of vtkSMPTools ends the program, or is lost, depending on the version.
   std::atomic<bool> failed{ false };
   std::exception_ptr error;
@@ -65,12 +70,14 @@ void RunOnThreads(
 
 Execution MakeExecution(vtkAlgorithm* algorithm)
 {
-  return Execution(RunOnThreads,
+  return Execution(
+    RunOnThreads,
     [algorithm](double fraction)
     {
       algorithm->UpdateProgress(fraction);
       return !IsAborted(algorithm);
-    });
+    },
+    {}, GetNumberOfThreads());
 }
 
 Execution MakeExecution(vtkObject* object, StopSign stop)
@@ -82,7 +89,7 @@ Execution MakeExecution(vtkObject* object, StopSign stop)
       object->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
       return !stop.IsUp();
     },
-    stop);
+    stop, GetNumberOfThreads());
 }
 
 Execution MakeExecution()

@@ -27,7 +27,8 @@ struct Interrupted
  *
  * Progress is told a fraction in [0, 1] that never falls, always on the thread that called For(),
  * and answers whether to go on; when it answers no, For() throws Interrupted. For() runs
- * BatchGrains grains between two reports, so that a stop is heeded soon; without reports, all.
+ * a batch between two reports, so that a stop is heeded soon: GrainsPerThread for each thread, and
+ * at least LeastBatchGrains; without reports, all.
  * Bodies with items that may take long by themselves call HeedStop() between them.
  */
 class Execution
@@ -38,8 +39,8 @@ public:
     std::function<void(std::size_t first, std::size_t last, std::size_t grain, const Body& body)>;
   using Progress = std::function<bool(double fraction)>;
 
-  /** Grains between two reports of progress. */
-  static constexpr std::size_t BatchGrains = 32;
+  static constexpr std::size_t GrainsPerThread = 8;
+  static constexpr std::size_t LeastBatchGrains = 32;
 
   /** One thread, no reports. */
   Execution()
@@ -47,25 +48,26 @@ public:
         { body(first, last); })
   {
   }
-  explicit Execution(ParallelFor parallelFor, Progress progress = {}, StopSign stop = {})
+  /** `numberOfThreads`: as many as parallelFor uses. */
+  explicit Execution(ParallelFor parallelFor, Progress progress = {}, StopSign stop = {},
+    std::size_t numberOfThreads = 1)
     : Threads(std::move(parallelFor))
     , Report(std::move(progress))
     , Stop(stop)
+    , BatchGrains(std::max(LeastBatchGrains, GrainsPerThread * numberOfThreads))
   {
   }
 
   /** The same threads for a part of the run: its [0, 1] is [from, to] of this one. */
   Execution Part(double from, double to) const
   {
-    if (!this->Report)
+    Execution part = *this;
+    if (this->Report)
     {
-      return Execution(this->Threads, {}, this->Stop);
+      part.Report = [report = this->Report, from, to](double fraction)
+      { return report(from + (to - from) * fraction); };
     }
-    return Execution(
-      this->Threads,
-      [report = this->Report, from, to](double fraction)
-      { return report(from + (to - from) * fraction); },
-      this->Stop);
+    return part;
   }
 
   /** The same on the calling thread alone. */
@@ -77,7 +79,7 @@ public:
     double to = 1.0) const
   {
     // A call may start and join threads, which only reports make worth while.
-    const std::size_t batch = this->Report ? grain * BatchGrains : count;
+    const std::size_t batch = this->Report ? grain * this->BatchGrains : count;
     for (std::size_t first = 0; first < count; first += batch)
     {
       const std::size_t last = std::min(count, first + batch);
@@ -131,6 +133,7 @@ private:
   ParallelFor Threads;
   Progress Report;
   StopSign Stop;
+  std::size_t BatchGrains; ///< Between two reports of progress.
 };
 }
 

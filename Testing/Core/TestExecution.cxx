@@ -84,13 +84,22 @@ TEST(TestExecution, ProgressRisesFromPartToPart)
 
 TEST(TestExecution, StopsWithinABatch)
 {
-  int answers = 0;
-  std::size_t done = 0;
-  const Execution execution(OnThreads(1), [&answers](double) { return ++answers < 3; });
-  EXPECT_THROW(execution.For(1000000, 10,
-                 [&done](std::size_t first, std::size_t last) { done += last - first; }),
-    Interrupted);
-  EXPECT_EQ(done, 3 * 10 * Execution::BatchGrains);
+  for (const std::size_t threads : { 1U, 2U, 64U })
+  {
+    int answers = 0;
+    std::size_t done = 0;
+    const Execution execution(
+      OnThreads(1), [&answers](double) { return ++answers < 3; }, {}, threads);
+    for (const Execution& part : { execution, execution.Part(0.0, 0.5) })
+    {
+      answers = 0;
+      done = 0;
+      EXPECT_THROW(part.For(1000000, 10,
+                     [&done](std::size_t first, std::size_t last) { done += last - first; }),
+        Interrupted);
+      EXPECT_EQ(done, 3 * 10 * (threads == 64 ? 512 : 32)) << "enough for all threads";
+    }
+  }
 }
 
 TEST(TestExecution, WithoutProgressNothingStops)
