@@ -129,6 +129,35 @@ TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
   many.UpdateWithoutErrors();
 }
 
+TEST(TestHashedOctreeFilterComposite, FieldDataWithoutNamesAreKeptOnce)
+{
+  vtkNew<vtkMultiBlockDataSet> input;
+  input->SetBlock(0, MakeBlock(54));
+  vtkNew<vtkIntArray> unnamed;
+  for (vtkDataObject* data : { static_cast<vtkDataObject*>(input), input->GetBlock(0) })
+  {
+    data->GetFieldData()->AddArray(unnamed);
+  }
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.UpdateWithoutErrors();
+  const auto countUnnamed = [&unnamed](vtkDataObject* data)
+  {
+    int count = 0;
+    for (int i = 0; i < data->GetFieldData()->GetNumberOfArrays(); ++i)
+    {
+      count += data->GetFieldData()->GetAbstractArray(i) == unnamed ? 1 : 0;
+    }
+    return count;
+  };
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* blocks = GetOutput<vtkMultiBlockDataSet>(filter, port);
+    EXPECT_EQ(countUnnamed(blocks), 1) << port;
+    EXPECT_EQ(countUnnamed(blocks->GetBlock(0)), 1) << port;
+  }
+}
+
 TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)
 {
   const auto first = MakeBlock(52);
