@@ -41,8 +41,9 @@ public:
 
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
-   * finite. Throws Interrupted, and std::exception with what to tell the user, also when there is
-   * no point to use in all of the input, unless that is one of several pieces. */
+   * finite, and once of blocks without coordinates of their own. Throws Interrupted, and
+   * std::exception with what to tell the user, also when there is no point to use in all of the
+   * input, unless that is one of several pieces. */
   template <typename Function>
   void Execute(
     vtkDataObject* input, const Targets& targets, bool isPiece, const Function& makeOutputs)

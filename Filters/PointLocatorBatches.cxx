@@ -64,9 +64,9 @@ bool vtkHashedOctreePointLocator::RunBatch(
     vtkErrorMacro(<< problem);
     return false;
   };
-  const Execution execution = MakeExecution(this, stop);
   try
   {
+    const Execution execution = MakeExecution(this, stop);
     const PointsAdaptor positions(queries, execution.Part(0.0, PositionsShare));
     index->Visit(
       [&](const auto& tree)

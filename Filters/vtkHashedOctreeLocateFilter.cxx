@@ -311,3 +311,8 @@ int vtkHashedOctreeLocateFilter::RequestData(
         vtkDataObject::GetData(inputVector[1]), request, outputVector);
     });
 }
+
+void vtkHashedOctreeLocateFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -78,6 +78,13 @@ class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeLocateFilter : public vtkHashedO
 public:
   static vtkHashedOctreeLocateFilter* New();
   vtkTypeMacro(vtkHashedOctreeLocateFilter, vtkHashedOctreeAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The query points: what comes in by input port 1. */
+  void SetQueryPointsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetQueryPointsData(vtkDataObject* queries) { this->SetInputData(1, queries); }
+  ///@}
 
 protected:
   vtkHashedOctreeLocateFilter();

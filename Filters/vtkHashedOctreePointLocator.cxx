@@ -455,10 +455,10 @@ void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData*
     options.InternalNodes = true;
     options.Depth = level;
   }
-  // To initialize pd would free the index where this is the locator of pd.
-  vtkNew<vtkPolyData> boxes;
   try
   {
+    // To initialize pd would free the index where this is the locator of pd.
+    vtkNew<vtkPolyData> boxes;
     const auto nodes = ListNodes(index.GetOctree(), options, MakeExecution());
     OctreeCells(index.GetOctree(), index.GetStartDepths().GetOfTree(), nodes)
       .MakeOutlines(boxes, MakeExecution());

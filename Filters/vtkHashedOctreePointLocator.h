@@ -3,11 +3,12 @@
  * @class   vtkHashedOctreePointLocator
  * @brief   finds points close to positions: exact, deterministic, in an octree kept in a hash table
  *
- * Takes the place of vtkStaticPointLocator and of every other vtkAbstractPointLocator. The points
- * are put into an octree whose nodes are reached directly by position and depth, so that a search
- * need not begin at the root: it begins at a start depth estimated from the depths of the leaves
- * ("Statistical optimization of octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon,
- * 2008). The start depth changes what a search costs, never what it finds.
+ * Answers queries wherever a vtkAbstractPointLocator is asked for, such as vtkStaticPointLocator;
+ * it inserts no points, as vtkIncrementalPointLocator does. The points are put into an octree whose
+ * nodes are reached directly by position and depth, so that a search need not begin at the root: it
+ * begins at a start depth estimated from the depths of the leaves ("Statistical optimization of
+ * octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008). The start depth changes what
+ * a search costs, never what it finds.
  *
  * Data set: any vtkDataSet; of one without a vtkPoints (vtkImageData, vtkRectilinearGrid)
  * GetPoint() gives the points. Coordinates are kept as float or double as they come, everything
@@ -147,8 +148,8 @@ public:
   vtkIdType FindClosestPoint(const double x[3]) override;
 
   /** Id of the point closest to x among those within the radius, or -1. `dist2` is set to its
-   * squared distance, and left alone when there is none. Costs at most what FindClosestPoint()
-   * does. Thread safe after a build. */
+   * squared distance, and left alone when there is none. Costs what FindClosestPoint() does,
+   * mostly less. Thread safe after a build. */
   vtkIdType FindClosestPointWithinRadius(double radius, const double x[3], double& dist2) override;
 
   /** Ids of the `count` points closest to x, sorted by distance, then by id; of all points when
@@ -171,10 +172,9 @@ public:
    * arrays get new memory, and must all be different, from `queries` too. Fires ProgressEvent with
    * the fraction done of all but a build; AbortBatch(), called by an observer or from another
    * thread, ends the batches that run, after the search that a thread is at, or after the build
-   * where there is one. Returns whether all was done: if
-   * aborted, or after an error (no three components, not enough memory, a build that failed), all
-   * outputs are empty, with one component; where they are not arrays of their own, all arrays are
-   * left alone.
+   * where there is one. Returns whether all was done: if aborted, or after an error (no three
+   * components, not enough memory, a build that failed), all outputs are empty, with one component;
+   * where they are not arrays of their own, all arrays are left alone.
    * - FindClosestPoints(): one id and squared distance for each position.
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id.
    *   Both: -1 and infinity where there is no (other) point; nothing for a count of 0 or less.
@@ -183,8 +183,9 @@ public:
    *   positions.
    *
    * In large trees scattered positions are taken along the Morton curve, a million at a time, so
-   * that one search finds in the caches what the last one loaded. That takes up to 32 bytes for
-   * each of that million in the meantime.
+   * that one search finds in the caches what the last one loaded. That takes up to 28 bytes (40
+   * with 64-bit ids) for each of that million in the meantime; FindPointsWithinRadius() also holds
+   * all that it finds twice.
    *
    * Call from one thread at a time; builds the tree if it must.
    */

@@ -57,7 +57,7 @@ struct Box
 };
 
 /**
- * World coordinates to the integer cells of the smallest depth, and back. This is the only place
+ * World coordinates to the integer cells of MaxDepth, and back. This is the only place
  * that rounds points to cells, with GridCells.h, which does the same to many at once: trees are
  * built of integer keys, so a point and its leaf can never disagree. Searches that measure lengths
  * (BallInGrid, PointBoxWalk, NodeBall) say how they round.

@@ -29,7 +29,7 @@ struct FoundPoint
  * differences, axis by axis in order; of equally near points the one with the smallest id wins.
  *
  * A search begins at the leaf of the position, which it finds from the start depth. A ball around
- * the position that reaches further is covered by the at most 2^Dim cells of the smallest depth
+ * the position that reaches further is covered by the at most 2^Dim cells of the deepest depth
  * whose cells are as wide as the ball, or by one cell that is hardly larger. They are reached
  * directly through the table, and only they are descended into, past the boxes of their children.
  * From start depth 0 it is the classical search, down from the root without the table. A ball that

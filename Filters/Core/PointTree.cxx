@@ -337,7 +337,7 @@ void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Executi
 template <int Dim, typename Real>
 std::size_t PointTree<Dim, Real>::FindFirstBlockAt(int depth) const
 {
-  // Ordered by depth, then by key, is ordered by the value of the key.
+  // Blocks are ordered by depth, then by key.
   std::size_t first = 0;
   for (std::size_t count = this->Tree.GetNumberOfInternalNodes(); count > 0;)
   {

@@ -21,8 +21,8 @@ public:
   TestedLocateFilter() = default;
   TestedLocateFilter(vtkDataObject* points, vtkDataObject* queries)
   {
-    this->Filter->SetInputData(0, points);
-    this->Filter->SetInputData(1, queries);
+    this->Filter->SetInputData(points);
+    this->Filter->SetQueryPointsData(queries);
   }
 
   vtkDataSet* GetLocated()

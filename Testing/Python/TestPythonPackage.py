@@ -30,8 +30,8 @@ octree.Update()
 assert octree.GetOutputDataObject(0).GetClassName() == "vtkPolyData"
 
 locate = vtkHashedOctreeLocateFilter()
-locate.SetInputConnection(0, sphere.GetOutputPort())
-locate.SetInputConnection(1, sphere.GetOutputPort())
+locate.SetInputConnection(sphere.GetOutputPort())
+locate.SetQueryPointsConnection(sphere.GetOutputPort())
 locate.SetFrequencyModel(vtkHashedOctreeLocateFilter.Points)
 locate.Update()
 ids = locate.GetOutputDataObject(0).GetPointData().GetArray("LeafId")
