@@ -52,10 +52,10 @@
  * a distributed data set or an empty block of a composite one. The result, but for BuildSeconds,
  * does not depend on the number of threads (vtkSMPTools). Progress is reported throughout; an abort
  * is heeded within a tenth of a second and leaves all outputs empty (VTK keeps AbortExecute set:
- * reset it before the next update). Points with the same cell at MaxDepth share a leaf, however many they are. At most
- * 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes. Of a
- * distributed data set every process makes the tree of its own piece; give CustomBounds for one
- * grid, by which all of them also have the same dimension and plane.
+ * reset it before the next update). Points with the same cell at MaxDepth share a leaf, however
+ * many they are. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
+ * internal nodes. Of a distributed data set every process makes the tree of its own piece; give
+ * CustomBounds for one grid, by which all of them also have the same dimension and plane.
  */
 
 #ifndef vtkHashedOctreeFilter_h
