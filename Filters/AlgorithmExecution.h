@@ -4,8 +4,8 @@
 
 #include "Execution.h"
 
-class vtkAlgorithm;
-class vtkObject;
+#include "vtkAlgorithm.h"
+#include "vtkObject.h"
 
 namespace hashedoctree
 {

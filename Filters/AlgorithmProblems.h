@@ -2,10 +2,10 @@
 #ifndef AlgorithmProblems_h
 #define AlgorithmProblems_h
 
-#include <functional>
+#include "vtkAlgorithm.h"
+#include "vtkInformationVector.h"
 
-class vtkAlgorithm;
-class vtkInformationVector;
+#include <functional>
 
 namespace hashedoctree
 {

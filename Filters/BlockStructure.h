@@ -2,9 +2,9 @@
 #ifndef BlockStructure_h
 #define BlockStructure_h
 
-class vtkCompositeDataSet;
-class vtkDataObjectTree;
-class vtkMultiBlockDataSet;
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkMultiBlockDataSet.h"
 
 namespace hashedoctree
 {

@@ -5,8 +5,8 @@
 #include "Octree.h"
 #include "TreeFrame.h"
 
-class vtkPolyData;
-class vtkUnstructuredGrid;
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace hashedoctree
 {

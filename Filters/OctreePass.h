@@ -4,18 +4,18 @@
 
 #include "PointsOctree.h"
 
+#include "vtkDataObject.h"
+#include "vtkDataObjectTree.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkPointSet.h"
 #include "vtkSmartPointer.h"
 
 #include <functional>
 #include <optional>
 #include <vector>
 
-class vtkDataObject;
-class vtkDataObjectTree;
 class vtkHashedOctreeAlgorithm;
-class vtkInformation;
-class vtkInformationVector;
-class vtkPointSet;
 
 namespace hashedoctree
 {

@@ -5,9 +5,9 @@
 #include "DepthStatistics.h"
 #include "MeasuredCost.h"
 
-#include <vector>
+#include "vtkTable.h"
 
-class vtkTable;
+#include <vector>
 
 namespace hashedoctree
 {

@@ -5,8 +5,8 @@
 #include "Buffer.h"
 #include "PointSelection.h"
 
-class vtkDataArray;
-class vtkDataSet;
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
 
 namespace hashedoctree
 {

@@ -7,7 +7,7 @@
 #include "PointsOctree.h"
 #include "SearchComparison.h"
 
-class vtkDataSet;
+#include "vtkDataSet.h"
 
 namespace hashedoctree
 {

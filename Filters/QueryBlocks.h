@@ -4,14 +4,13 @@
 
 #include "OctreePass.h"
 
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkInformationVector.h"
 #include "vtkSmartPointer.h"
 
 #include <vector>
-
-class vtkCompositeDataSet;
-class vtkDataObject;
-class vtkDataSet;
-class vtkInformationVector;
 
 namespace hashedoctree
 {

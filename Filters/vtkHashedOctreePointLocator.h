@@ -64,16 +64,15 @@
 
 #include "HashedOctreeFiltersModule.h" // For export macro
 #include "vtkAbstractPointLocator.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkVersionMacros.h" // For the version that brought ForceBuildLocator()
 
 #include <atomic>           // For the end of a batch
 #include <initializer_list> // For the outputs of a batch
 #include <memory>           // For std::shared_ptr
 #include <string>           // For what goes wrong in a build
-
-class vtkDataArray;
-class vtkDoubleArray;
-class vtkIdTypeArray;
 
 class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreePointLocator : public vtkAbstractPointLocator
 {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Fails when Filters/Core or its tests include VTK, Qt or ParaView, or when Plugin holds C++.
+# Fails when Filters/Core or its tests include VTK, Qt or ParaView, or when Plugin holds C++, or when
+# Filters declares classes of VTK instead of including them.
 file(GLOB_RECURSE core
   "${SOURCE_DIR}/Filters/Core/*.h" "${SOURCE_DIR}/Filters/Core/*.cxx"
   "${SOURCE_DIR}/Testing/Core/*.h" "${SOURCE_DIR}/Testing/Core/*.cxx")
@@ -22,3 +23,13 @@ file(GLOB_RECURSE cxx ${cxx})
 if (cxx)
   message(SEND_ERROR "Plugin must hold no C++ (it belongs in Filters): ${cxx}")
 endif ()
+
+# VTK can be configured to have its classes in a namespace, where such a declaration does not reach.
+file(GLOB filters "${SOURCE_DIR}/Filters/*.h" "${SOURCE_DIR}/Filters/*.cxx")
+foreach (file IN LISTS filters)
+  file(STRINGS "${file}" declared REGEX "^class vtk[A-Za-z0-9]+;")
+  list(FILTER declared EXCLUDE REGEX "vtkHashedOctree")
+  if (declared)
+    message(SEND_ERROR "Include VTK's classes instead of declaring them: ${file}: ${declared}")
+  endif ()
+endforeach ()
