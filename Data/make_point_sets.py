@@ -2,7 +2,7 @@
 """python3 make_point_sets.py FOLDER [--quick]
 
 Writes point sets of the kinds and sizes of the paper's Table 1 (see README.md): FOLDER/NAME.xyz, raw
-little-endian float32, x y z of one point after the other. Files that this very script has made before are
+little-endian float32, x y z of one point after the other, in random order. Files that this very script has made before are
 left as they are, which FOLDER/made_by.sha256 tells; those of another version are removed first. --quick
 leaves out the sets above 150,000 points. Each set has a seed of its own.
 """
@@ -65,10 +65,22 @@ def sample_surface(rng, count, field):
     return points[:count], normals[:count]
 
 
-def scan(rng, count, field):
+def gather(rng, count, points):
+    """Which points of many are kept so that they are the denser the nearer they lie to one of four of them."""
+    details = points[rng.integers(0, len(points), 4)]
+    distance2 = ((points[:, None] - details) ** 2).sum(axis=2).min(axis=1)
+    weights = (distance2 + 0.003) ** -1.5
+    return rng.choice(len(points), count, replace=False, p=weights / weights.sum())
+
+
+def scan(rng, count, field, spare=1):
     """A surface as merged scans have it: each point is seen from the nearest of eight sides, with noise along the
-    line of sight, and each side is a little out of place. Both are fractions of the points' distance."""
-    points, normals = sample_surface(rng, count, field)
+    line of sight, and each side is a little out of place. Both are fractions of the points' mean distance. With
+    `spare` times as many points to choose from they lie denser around details, as far as there are enough."""
+    points, normals = sample_surface(rng, spare * count, field)
+    if spare > 1:
+        kept = gather(rng, count, points)
+        points, normals = points[kept], normals[kept]
     spacing = 4 / count ** 0.5
     sides = unit_vectors(rng, 8)
     shifts = 0.3 * spacing * rng.standard_normal(sides.shape)
@@ -77,22 +89,22 @@ def scan(rng, count, field):
     return points + noise[:, None] * sides[side] + shifts[side]
 
 
-def blob_scan(rng, count):
+def blob_scan(rng, count, spare=1):
     """Of a body of rounded limbs."""
     centers = 0.5 * unit_vectors(rng, 6) * rng.random((6, 1)) ** 0.3
     sharpness = 1 / rng.uniform(0.15, 0.35, 6) ** 2
 
     def field(x):
         return sum(np.exp(-k * ((x - c) ** 2).sum(axis=1)) for c, k in zip(centers, sharpness)) - 0.5
-    return scan(rng, count, field)
+    return scan(rng, count, field, spare)
 
 
-def gyroid_scan(rng, count):
+def gyroid_scan(rng, count, spare=1):
     """Of a body full of holes."""
     def field(x):
         s, c = np.sin(6 * x), np.cos(6 * x)
         return s[:, 0] * c[:, 1] + s[:, 1] * c[:, 2] + s[:, 2] * c[:, 0]
-    return scan(rng, count, field)
+    return scan(rng, count, field, spare)
 
 
 def csg(rng, count):
@@ -142,13 +154,15 @@ def flow(rng, count, finest):
     return wing + distance[:, None] * unit_vectors(rng, count)
 
 
+SPARE = 32  # Points to choose from for each of a scan whose density varies.
+
 # In the order of the paper's Table 1, with the name that the set has there.
 SETS = {
     "sphere_1k": (sphere, 900),                                   # Sphere
     "scan_35k": (blob_scan, 35_000),                              # Bunny
     "stadium_10k": (stadium, 10_000),                             # Maracanã
-    "scan_100k": (blob_scan, 100_000),                            # David head
-    "gyroid_100k": (gyroid_scan, 100_000),                        # Pig
+    "scan_100k": (lambda r, n: blob_scan(r, n, SPARE), 100_000),  # David head
+    "gyroid_100k": (lambda r, n: gyroid_scan(r, n, SPARE), 100_000),  # Pig
     "csg_82k": (csg, 82_000),                                     # CSG
     "volcano_133k": (volcano, 133_000),                           # Volcano
     "flow_257k": (lambda r, n: flow(r, n, 1e-3), 257_000),        # Fighter
@@ -199,7 +213,8 @@ def main(arguments):
         for name, (make, count) in SETS.items():
             path = os.path.join(folders[0], f"{name}.xyz")
             if not os.path.exists(path) and not (quick and count > QUICK_LIMIT):
-                write(make(np.random.default_rng(zlib.crc32(name.encode())), count), path)
+                rng = np.random.default_rng(zlib.crc32(name.encode()))
+                write(rng.permutation(make(rng, count)), path)
                 print(f"{path}: {count:,} points", flush=True)
     except OSError as error:
         sys.exit(f"make_point_sets: cannot write to {folders[0]}: {error.strerror or error}")

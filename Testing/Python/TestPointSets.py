@@ -4,6 +4,7 @@ their generators, with few points."""
 import os
 import subprocess
 import sys
+import zlib
 
 import numpy as np
 
@@ -43,12 +44,19 @@ x, y, z = np.abs(points["csg_82k"].T)
 on_faces = (np.abs(x - 0.9) < 1e-3) | (np.abs(y - 0.6) < 1e-3) | (np.abs(z - 0.3) < 1e-3) | (np.abs(z - 0.8) < 1e-3)
 assert 0.4 < on_faces.mean() < 1, on_faces.mean()
 # Varying density: three quarters of the stadium stand in crowds of five, each within 2^-21 of the whole.
-crowds = points["stadium_10k"][-7500:].reshape(-1, 5, 3).astype(float)
+rng = np.random.default_rng(zlib.crc32(b"stadium_10k"))
+crowds = sets.stadium(rng, 10_000)[-7500:].astype("<f4").reshape(-1, 5, 3).astype(float)
 extent = np.ptp(points["stadium_10k"], axis=0).max()
 assert np.ptp(crowds, axis=1).max() < extent / 2 ** 20, np.ptp(crowds, axis=1).max()
 # A volume above a surface: the plume thins out upwards.
-height = points["volcano_133k"][int(0.65 * 133_000):, 2]
+height = sets.volcano(np.random.default_rng(8), 133_000)[int(0.65 * 133_000):, 2]
 assert np.median(height) - height.min() < 0.3 * np.ptp(height)
+# The files hold what the generators make, in another order, in which neighbours in space are far from each other.
+made = sets.sphere(np.random.default_rng(9), 900).astype("<f4")
+assert np.array_equal(np.sort(made, axis=0), np.sort(points["sphere_1k"], axis=0))
+for name, there in points.items():
+    steps = np.linalg.norm(np.diff(there, axis=0), axis=1)
+    assert np.median(steps) > 0.1 * np.ptp(there, axis=0).max(), name
 
 # A set that is there stays as it is; one that is not is made as before.
 with open(path("sphere_1k"), "wb") as file:
@@ -116,7 +124,7 @@ def distances(points, field):
 scan = sets.scan
 for generate in (sets.blob_scan, sets.gyroid_scan):
     fields = []
-    sets.scan = lambda rng, count, field: fields.append(field) or scan(rng, count, field)
+    sets.scan = lambda rng, count, field, _: fields.append(field) or scan(rng, count, field)
     scanned = generate(np.random.default_rng(4), COUNT)
     sets.scan = scan
     spacing = 4 / COUNT ** 0.5
@@ -124,6 +132,16 @@ for generate in (sets.blob_scan, sets.gyroid_scan):
     assert 0.05 < np.median(off) < 0.5 and (off > 1e-3).mean() > 0.98, (generate, np.median(off))
     surface = sets.sample_surface(np.random.default_rng(4), COUNT, fields[0])[0]
     assert np.abs(distances(surface, fields[0])).max() < 1e-3 * spacing, generate
+# Where density varies, from the few points in an equal share of space to the many, it does so far more.
+def vary(points):
+    """The deviation of the logarithm of the number of points in cells, of the cells that have some."""
+    counts = np.unique(np.floor(points * 8), axis=0, return_counts=True)[1]
+    return np.log(counts).std()
+
+
+for name, even in (("scan_100k", sets.blob_scan), ("gyroid_100k", sets.gyroid_scan)):
+    varied = sets.SETS[name][0](np.random.default_rng(10), COUNT)
+    assert vary(varied) > 1.2 * vary(even(np.random.default_rng(10), COUNT)), (name, vary(varied))
 # A plane is seen from one side only: the shift of that side is the same for all points, and what differs is noise.
 height = scan(np.random.default_rng(5), COUNT, lambda x: x[:, 2])[:, 2] / spacing
 assert 0.03 < height.std() < 0.11, height.std()
