@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hashedoctree
 {
@@ -23,6 +24,30 @@ double ParabolaDistance(double t)
   }
   return t * t * t * (2.0 - t) - t + 0.5;
 }
+
+/** Where the distribution of some weight is a half: decided by whole weights, since rounded shares
+ * miss where exactly half lies up to a depth. */
+double FindMinimiser(const DepthHistogram& histogram)
+{
+  const auto median = static_cast<std::size_t>(GetMedianDepth(histogram));
+  const auto sum = [&histogram](std::size_t first, std::size_t last)
+  {
+    return std::accumulate(histogram.begin() + static_cast<std::ptrdiff_t>(first),
+      histogram.begin() + static_cast<std::ptrdiff_t>(last), std::uint64_t(0));
+  };
+  const std::uint64_t below = sum(0, median);
+  const std::uint64_t above = sum(median + 1, histogram.size());
+  const std::uint64_t weight = histogram[median];
+  const auto depth = static_cast<double>(median);
+  if (below + weight == above)
+  {
+    return depth + 1.0;
+  }
+  // Root of 3 t^2 - 2 t^3 = wanted in [0, 1), in closed form.
+  const double wanted = 0.5 +
+    (static_cast<double>(above) - static_cast<double>(below)) / 2.0 / static_cast<double>(weight);
+  return depth + 0.5 - std::sin(std::asin(1.0 - 2.0 * wanted) / 3.0);
+}
 }
 
 ContinuousCost::ContinuousCost(const DepthHistogram& histogram)
@@ -35,6 +60,10 @@ ContinuousCost::ContinuousCost(const DepthHistogram& histogram)
   for (std::size_t depth = 0; depth < histogram.size() && total > 0.0; ++depth)
   {
     this->Shares.push_back(static_cast<double>(histogram[depth]) / total);
+  }
+  if (total > 0.0)
+  {
+    this->Minimiser = FindMinimiser(histogram);
   }
 }
 
@@ -63,21 +92,4 @@ double ContinuousCost::GetDistribution(double x) const
   return share;
 }
 
-double ContinuousCost::GetMinimiser() const
-{
-  double below = 0.0;
-  for (std::size_t depth = 0; depth < this->Shares.size(); ++depth)
-  {
-    const double share = this->Shares[depth];
-    if (share > 0.0 && below + share >= 0.5)
-    {
-      // Root of 3 t^2 - 2 t^3 = wanted in [0, 1], in closed form.
-      const double wanted = std::clamp((0.5 - below) / share, 0.0, 1.0);
-      const double t = 0.5 - std::sin(std::asin(1.0 - 2.0 * wanted) / 3.0);
-      return static_cast<double>(depth) + t;
-    }
-    below += share;
-  }
-  return 0.0;
-}
 }

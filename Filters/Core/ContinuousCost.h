@@ -34,10 +34,11 @@ public:
 
   /** Where the cost is least; the smallest such place when half of the weight lies on either side
    * of a gap. 0 for a histogram of no weight. */
-  double GetMinimiser() const;
+  double GetMinimiser() const { return this->Minimiser; }
 
 private:
   std::vector<double> Shares; ///< Share of the weight at each depth; they add up to 1.
+  double Minimiser = 0.0;
 };
 }
 

@@ -243,6 +243,35 @@ Finding FindGainByDeviation(const Sets& sets, std::size_t root, std::size_t opti
       : "depends: nodes " + nodes.Verdict + ", time " + times.Verdict };
 }
 
+/** Whether the gain in one set is larger than in most others, or smaller, in nodes and in time. */
+Finding FindGainOf(
+  const Sets& sets, const std::string& name, bool isLarge, std::size_t root, std::size_t optimised)
+{
+  const auto set = std::find_if(sets.begin(), sets.end(),
+    [&name](const PaperResults& other) { return other.Set.Name == name; });
+  if (set == sets.end() || sets.size() < 2)
+  {
+    return { "no such set in this run", "not measured" };
+  }
+  const auto rank = [&](const std::string& what, const auto& getGain) -> Finding
+  {
+    const double gain = getGain(*set);
+    const auto larger = std::count_if(
+      sets.begin(), sets.end(), [&](const PaperResults& other) { return getGain(other) > gain; });
+    const bool isAbove = 2 * static_cast<std::size_t>(larger) + 1 < sets.size();
+    return { what + Format(gain) + ", less than in " + std::to_string(larger) + " of " +
+        std::to_string(sets.size() - 1) + " others",
+      isAbove == isLarge ? "holds" : "holds not" };
+  };
+  const Finding nodes = rank("gain in nodes ", GetGainInNodes);
+  const Finding times = rank(
+    "; in time ", [=](const PaperResults& other) { return GetGainInTime(other, root, optimised); });
+  return { nodes.Measured + times.Measured,
+    nodes.Verdict == times.Verdict
+      ? nodes.Verdict
+      : "depends: nodes " + nodes.Verdict + ", time " + times.Verdict };
+}
+
 Finding FindErrorOfDirectDepth(const Sets& sets, NeighborCosts NeighborStarts::*kind)
 {
   const auto getError = [kind](const PaperResults& set)
@@ -254,6 +283,14 @@ Finding FindErrorOfDirectDepth(const Sets& sets, NeighborCosts NeighborStarts::*
       FormatSummary(
         Summarise(sets, [&](const PaperResults& set) { return 100.0 * getError(set); })),
     JudgeSets(sets, [&](const PaperResults& set) { return getError(set) <= SmallError; }) };
+}
+
+Finding FindClimbing(const Sets& sets, NeighborCosts NeighborStarts::*kind)
+{
+  const auto getRatio = [kind](const PaperResults& set)
+  { return (set.Neighbors.*kind).Climbing / (set.Neighbors.*kind).Median; };
+  return { "climbing over start depth, nodes: " + FormatSummary(Summarise(sets, getRatio)),
+    JudgeSets(sets, [&](const PaperResults& set) { return getRatio(set) > 1.0; }) };
 }
 
 Finding FindGainOfOwnDepths(const Sets& sets)
@@ -303,6 +340,13 @@ void WriteClaimsOfModels(std::ostream& out, const Sets& sets)
   WriteClaim(out, "The gain is small where depths vary much (section 6)",
     FindGainByDeviation(sets, PaperRoot, PaperStart),
     FindGainByDeviation(sets, OursRoot, OursMedian));
+  const auto writeGainOf = [&](const std::string& claim, const std::string& name, bool isLarge)
+  {
+    WriteClaim(out, claim, FindGainOf(sets, name, isLarge, PaperRoot, PaperStart),
+      FindGainOf(sets, name, isLarge, OursRoot, OursMedian));
+  };
+  writeGainOf("... as in random volumes", "random_cube_4000k", false);
+  writeGainOf("... and large with many levels of detail, as in Maracana", "stadium_10k", true);
 }
 
 /** Of random histograms, not of the sets (E9). */
@@ -312,7 +356,8 @@ void WriteClaimsOfMinimisers(std::ostream& out)
   const auto find = [&minimisers](const std::string& what, std::size_t number, std::size_t held)
   {
     const std::string all = std::to_string(minimisers.Histograms);
-    return Finding{ what + std::to_string(number) + " of " + all + " random histograms",
+    return Finding{ what + std::to_string(number) + " of " + all +
+        " random histograms of odd weight",
       Judge(held, minimisers.Histograms, " histograms") };
   };
   WriteClaim(out,
@@ -322,6 +367,12 @@ void WriteClaimsOfMinimisers(std::ostream& out)
   WriteClaim(out, "... and so it is when rounded (appendix)",
     find("rounding is wrong on ", minimisers.WronglyRounded,
       minimisers.Histograms - minimisers.WronglyRounded));
+  WriteClaim(out, "... and where half of the weight lies up to some depth (E23)",
+    { "the integer part is another depth of the same cost on " +
+        std::to_string(minimisers.OtherInTies) + " of " + std::to_string(minimisers.Histograms) +
+        " such histograms",
+      Judge(
+        minimisers.Histograms - minimisers.OtherInTies, minimisers.Histograms, " histograms") });
 }
 
 void WriteClaimsOfSearches(std::ostream& out, const Sets& sets)
@@ -340,13 +391,33 @@ void WriteClaimsOfSearches(std::ostream& out, const Sets& sets)
     Adjacent, SeveralTimes);
   writeSpeedUp("In-radius searches are several times as fast as brother/child's (section 5)",
     InRadius, SeveralTimes);
+  const auto writeBesideRoot = [&](const std::string& claim, PaperSearchKind kind)
+  {
+    WriteClaim(out, claim, FindTimes(sets, kind, PaperStart, { PaperRoot }),
+      FindTimes(sets, kind, OursMedian, { OursRoot }));
+  };
+  writeBesideRoot("Adjacent searches are not slower from the start depth than from the root "
+                  "(section 3b; Table 2: x 6.2)",
+    Adjacent);
+  writeBesideRoot("... and in-radius ones (section 3c; Table 2: x 24.2)", InRadius);
+  WriteClaim(out, "From the root, direct searches in hashed octrees are slower (Table 2)",
+    FindTimes(sets, Direct, Pointers, { PaperRoot }),
+    FindTimes(sets, Direct, Pointers, { OursRoot }));
   const Finding none{ "-", "-" };
   WriteClaim(out,
     "The direct start depth serves adjacent searches (section 4), at most " +
       Format(100.0 * SmallError, 0) + " % off",
-    none, FindErrorOfDirectDepth(sets, &NeighborStarts::Adjacent));
-  WriteClaim(out, "... and in-radius searches", none,
+    FindErrorOfDirectDepth(sets, &NeighborStarts::PaperAdjacent),
+    FindErrorOfDirectDepth(sets, &NeighborStarts::Adjacent));
+  WriteClaim(out,
+    "... and in-radius searches (ours, which cover the ball, hardly depend on where they start)",
+    FindErrorOfDirectDepth(sets, &NeighborStarts::PaperInRadius),
     FindErrorOfDirectDepth(sets, &NeighborStarts::InRadius));
+  WriteClaim(out,
+    "From the start depth leaves above are found with fewer looks than by climbing "
+    "(section 3b)",
+    FindClimbing(sets, &NeighborStarts::PaperAdjacent),
+    FindClimbing(sets, &NeighborStarts::Adjacent));
   WriteClaim(out, "A start depth for each node is better for adjacent searches (section 4)", none,
     FindGainOfOwnDepths(sets));
 }

@@ -5,6 +5,7 @@
 #include "CellsAround.h"
 #include "ChainedNodeTable.h"
 #include "DepthStatistics.h"
+#include "DirectSearch.h"
 #include "NodeBall.h"
 #include "SortedPoints.h"
 
@@ -21,7 +22,8 @@ inline hashedoctree::LowBitsHash GetPaperHash()
  * every node, leaf or not, is in one table, under its key, and reaching it takes one access to the
  * table. 24 bytes a node, and as much for each slot that stays free. The searches are Algorithms 1
  * and 2 with the right reading of what is unclear in them; `startDepth` is in [0,
- * MortonKey::MaxDepth] and changes their cost, never their answer. Immutable; thread safe.
+ * MortonKey::MaxDepth] and changes their cost, never their answer. `count` may be a NodeCount, of
+ * the looks that a search for neighbours takes in the table. Immutable; thread safe.
  */
 template <int Dim, typename Hash>
 class PaperHashedOctree
@@ -67,23 +69,25 @@ public:
   }
 
   /** The leaf of a position, given its key at MaxDepth (Algorithm 1). */
-  const Node* FindLeaf(Key key, int startDepth) const
+  template <typename Count = hashedoctree::NoCount>
+  const Node* FindLeaf(Key key, int startDepth, Count&& count = {}) const
   {
     int depth = startDepth;
-    const Node* node = this->Find(key.AtDepth(depth));
+    const Node* node = this->Find(key.AtDepth(depth), count);
     while (node == nullptr)
     {
-      node = this->Find(key.AtDepth(--depth));
+      node = this->Find(key.AtDepth(--depth), count);
     }
     while (!node->Leaf)
     {
-      node = this->Find(key.AtDepth(++depth));
+      node = this->Find(key.AtDepth(++depth), count);
     }
     return node;
   }
 
   /** The leaves that touch a node, each once (Algorithm 2). `found` is replaced. */
-  void FindAdjacent(Key node, int startDepth, std::vector<Key>& found) const
+  template <typename Count = hashedoctree::NoCount>
+  void FindAdjacent(Key node, int startDepth, std::vector<Key>& found, Count&& count = {}) const
   {
     found.clear();
     NodesAround around;
@@ -92,12 +96,12 @@ public:
       {
         if (cell != node)
         {
-          this->Look(cell, direction, startDepth, around, found);
+          this->Look(cell, direction, startDepth, around, found, count);
         }
       });
     for (std::size_t i = 0; i < around.Count; ++i)
     {
-      this->AddTouching(*around.Nodes[i], around.Directions[i].GetTouchingOctants(), found);
+      this->AddTouching(*around.Nodes[i], around.Directions[i].GetTouchingOctants(), found, count);
     }
   }
 
@@ -107,7 +111,9 @@ public:
    * around it, or, where the ball is larger than these (E14), with those of the deepest depth above
    * at which the cells around the node's ancestor hold it, so that there are 3^Dim at most.
    */
-  void FindInRadius(Key node, double radius, int startDepth, std::vector<Key>& found) const
+  template <typename Count = hashedoctree::NoCount>
+  void FindInRadius(
+    Key node, double radius, int startDepth, std::vector<Key>& found, Count&& count = {}) const
   {
     found.clear();
     const hashedoctree::NodeBall<Dim> ball(this->RootGrid, node, radius);
@@ -119,12 +125,12 @@ public:
       {
         if (cell != node && Meets(ball, cell))
         {
-          this->Look(cell, direction, startDepth, around, found);
+          this->Look(cell, direction, startDepth, around, found, count);
         }
       });
     for (std::size_t i = 0; i < around.Count; ++i)
     {
-      this->AddInBall(*around.Nodes[i], node, ball, found);
+      this->AddInBall(*around.Nodes[i], node, ball, found, count);
     }
   }
 
@@ -171,6 +177,13 @@ private:
   }
   static Key GetChild(Key parent, unsigned octant) { return parent.GetChild(octant); }
 
+  template <typename Count>
+  const Node* Find(Key key, Count& count) const
+  {
+    count.AddNode();
+    return this->Find(key);
+  }
+
   static bool Meets(const hashedoctree::NodeBall<Dim>& ball, Key cell)
   {
     return ball.Meets(cell.GetCell(), cell.GetDepth());
@@ -193,25 +206,27 @@ private:
 
   /** Cases 1 and 2: the node of a cell is listed, to go on from. Case 3, with the start depth of
    * E5: the leaf above is found, unless it is there already, among few others still. */
+  template <typename Count>
   void Look(Key cell, Direction direction, int startDepth, NodesAround& around,
-    std::vector<Key>& found) const
+    std::vector<Key>& found, Count& count) const
   {
-    if (const Node* node = this->Find(cell))
+    if (const Node* node = this->Find(cell, count))
     {
       around.Nodes[around.Count] = node;
       around.Directions[around.Count++] = direction;
       return;
     }
     const int start = std::min(startDepth, cell.GetDepth() - 1);
-    const Key leaf(this->FindLeaf(cell.GetFirstAtMaxDepth(), start)->Key);
+    const Key leaf(this->FindLeaf(cell.GetFirstAtMaxDepth(), start, count)->Key);
     if (std::find(found.begin(), found.end(), leaf) == found.end())
     {
       found.push_back(leaf);
     }
   }
 
-  void AddTouching(
-    const Node& node, hashedoctree::OctantMask<Dim> touching, std::vector<Key>& found) const
+  template <typename Count>
+  void AddTouching(const Node& node, hashedoctree::OctantMask<Dim> touching,
+    std::vector<Key>& found, Count& count) const
   {
     const Key key(node.Key);
     if (node.Leaf)
@@ -222,12 +237,13 @@ private:
     for (unsigned rest = touching; rest != 0; rest &= rest - 1)
     {
       const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
-      this->AddTouching(*this->Find(key.GetChild(octant)), touching, found);
+      this->AddTouching(*this->Find(key.GetChild(octant), count), touching, found, count);
     }
   }
 
+  template <typename Count>
   void AddInBall(const Node& node, Key home, const hashedoctree::NodeBall<Dim>& ball,
-    std::vector<Key>& found) const
+    std::vector<Key>& found, Count& count) const
   {
     const Key key(node.Key);
     if (node.Leaf)
@@ -240,7 +256,7 @@ private:
       const Key child = key.GetChild(octant);
       if (child != home && Meets(ball, child))
       {
-        this->AddInBall(*this->Find(child), home, ball, found);
+        this->AddInBall(*this->Find(child, count), home, ball, found, count);
       }
     }
   }

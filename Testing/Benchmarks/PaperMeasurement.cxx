@@ -233,7 +233,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   MeasureSearches(peers, points, radius, repetitions, results);
   MeasureBatch(trees.Ours, points, repetitions, results);
   MeasureWorkloads(trees, points, repetitions, results);
-  MeasureNeighborStarts(trees.Ours, leaves, radius, repetitions, results);
+  MeasureNeighborStarts(trees, leaves, radius, repetitions, results);
   MeasureKeys(trees.Ours, points, repetitions, results);
   return results;
 }

@@ -14,9 +14,12 @@ struct MinimiserComparison
   /** Where the discrete minimum is the weighted median and the integer part of the continuous. */
   std::size_t Agreeing = 0;
   std::size_t WronglyRounded = 0; ///< The continuous minimiser, rounded, is not the discrete one.
+  /** Of as many others, in each of which half of the weight lies up to some depth: where the
+   * integer part is another depth than the median, of the same cost (E23). */
+  std::size_t OtherInTies = 0;
 };
 
-/** Of the histograms of MakeOddHistogram(), the same ones each time. */
+/** Of the histograms of MakeOddHistogram(), in which there are no ties, the same ones each time. */
 MinimiserComparison CompareMinimisers(std::size_t histograms);
 }
 

@@ -82,9 +82,10 @@ void CompareOptions(
 }
 }
 
-void MeasureNeighborStarts(const Octree<3>& tree, const std::vector<Key>& leaves, double radius,
+void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leaves, double radius,
   int repetitions, PaperResults& results)
 {
+  const Octree<3>& tree = trees.Ours;
   const std::vector<Key> scanned(
     leaves.begin(), leaves.begin() + std::min(leaves.size(), MaxScannedLeaves));
   std::vector<hashedoctree::Neighbor<3>> found;
@@ -104,7 +105,25 @@ void MeasureNeighborStarts(const Octree<3>& tree, const std::vector<Key>& leaves
   const auto adjacent = ScanStartDepths(scanned, deepest, countAdjacent);
   const auto inRadius = ScanStartDepths(scanned, deepest, countInRadius);
 
+  std::vector<Key> keys;
+  const auto countPaperAdjacent = [&](Key leaf, int startDepth)
+  {
+    NodeCount count;
+    trees.Paper->FindAdjacent(leaf, startDepth, keys, count);
+    return count.Nodes;
+  };
+  const auto countPaperInRadius = [&](Key leaf, int startDepth)
+  {
+    NodeCount count;
+    trees.Paper->FindInRadius(leaf, radius, startDepth, keys, count);
+    return count.Nodes;
+  };
+
   NeighborStarts& starts = results.Neighbors;
+  starts.PaperAdjacent =
+    GetCosts(ScanStartDepths(scanned, deepest, countPaperAdjacent), results.StartDepth);
+  starts.PaperInRadius =
+    GetCosts(ScanStartDepths(scanned, deepest, countPaperInRadius), results.StartDepth);
   starts.Adjacent = GetCosts(adjacent, results.StartDepth);
   starts.InRadius = GetCosts(inRadius, results.StartDepth);
   hashedoctree::NodeStartDepths<3> stored;

@@ -2,6 +2,7 @@
 #ifndef Testing_Benchmarks_PaperNeighborStarts_h
 #define Testing_Benchmarks_PaperNeighborStarts_h
 
+#include "PaperPeers.h"
 #include "PaperResults.h"
 
 namespace paper_benchmark
@@ -14,10 +15,10 @@ constexpr std::size_t MaxScannedLeaves = 2000;
 constexpr std::size_t MaxRejectedLeaves = 200;
 
 /** Counts what neighbour searches examine from different start depths (end of the paper's section
- * 4; README, rows 41, 42), and checks that NodeStartDepths has the best for each leaf. `radius` is
- * in world units. */
-void MeasureNeighborStarts(const hashedoctree::Octree<3>& tree, const std::vector<Key>& leaves,
-  double radius, int repetitions, PaperResults& results);
+ * 4; README, rows 41, 42), in the paper's layout and in ours, and checks that NodeStartDepths has
+ * the best for each leaf. `radius` is in world units. */
+void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leaves, double radius,
+  int repetitions, PaperResults& results);
 }
 
 #endif

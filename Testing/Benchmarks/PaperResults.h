@@ -90,6 +90,8 @@ struct NeighborStarts
 {
   NeighborCosts Adjacent{};
   NeighborCosts InRadius{};
+  NeighborCosts PaperAdjacent{}; ///< The same in the paper's layout, by its own searches.
+  NeighborCosts PaperInRadius{};
   std::size_t StoredBytes = 0; ///< Of NodeStartDepths, which has Own of the adjacent search.
   double StoredSeconds = 0.0;  ///< What making them took, once.
   AdjacentOption Rejected; ///< The option that the paper rejects (README, row 22), from the median.

@@ -53,11 +53,13 @@ std::vector<std::string> NameStructures(const std::string& first)
 
 void WriteTrees(std::ostream& out, const Sets& sets)
 {
-  out << "\n### Trees\n\nIn parentheses the paper's numbers, here and in the other tables; where "
-         "they are means, over the same sets.\n\n";
+  out
+    << "\n### Trees\n\nIn parentheses the paper's numbers, here and in the other tables; where "
+       "they are means, over the same sets. Start depths are the medians of f_leaves, here and in "
+       "all that follows, and of f_points; the paper's column cannot be f_leaves alone (E19).\n\n";
   WriteHead(out,
     { "set", "stands for the paper's", "points x1000", "nodes x1000", "leaves x1000",
-      "deepest depth", "start depth" });
+      "deepest depth", "start depth", "f_points" });
   const auto thousands = [](std::size_t ours, double paper)
   { return FormatBeside(Format(static_cast<double>(ours) / 1000.0), FormatPrinted(paper)); };
   for (const PaperResults& set : sets)
@@ -67,7 +69,8 @@ void WriteTrees(std::ostream& out, const Sets& sets)
       { set.Set.Name, paper.Name, thousands(set.Points, paper.ThousandPoints),
         thousands(set.Nodes, paper.ThousandNodes), thousands(set.Leaves, paper.ThousandLeaves),
         FormatBeside(std::to_string(set.DeepestDepth), std::to_string(paper.DeepestDepth)),
-        FormatBeside(std::to_string(set.StartDepth), std::to_string(paper.StartDepth)) });
+        FormatBeside(std::to_string(set.StartDepth), std::to_string(paper.StartDepth)),
+        std::to_string(set.Frequencies[0].StartDepth) });
   }
 }
 

@@ -138,8 +138,10 @@ void WriteTable2(std::ostream& out, const Sets& sets)
       << NumberOfNeighborSearches
       << " leaves drawn from all, in random order. The radius, which the paper does not tell, is "
          "the side of the cells at the median depth. The start depth is the median of the leaves "
-         "(f_leaves), as it seems to be in the paper, whose mean of direct searches, 1.33, is that "
-         "of Table 3 for points searched for by f_leaves (E19); \"ours, local\" has the medians of "
+         "(f_leaves). Which it is in the paper cannot be told (E19): its mean of direct searches, "
+         "1.33, is that of its Table 3 for points searched for by f_leaves, beside 1.30 by "
+         "f_points; but Maracana's, of its Table 1, can only be that of f_points. \"ours, local\" "
+         "has the medians of "
          "4096 coarse cells. From the root the "
          "paper's layout searches top-down, with geometric tests for neighbours, as the trees with "
          "pointers do; with parents, neighbours are searched from the smallest ancestor that holds "

@@ -21,7 +21,7 @@ DARK = "#222222"
 # What the array Case says, and colours that the colour-blind can tell apart.
 CASES = {0: ("query leaf", "#333333"), 1: ("case 1: of the same depth", "#56B4E9"),
          2: ("case 2: deeper, found on the way down", "#F0C239"),
-         3: ("case 3: higher, found from the start depth", "#D55E00")}
+         3: ("case 3: higher, where no node of its depth is", "#D55E00")}
 RADIUS_OF_SIDE = 2.2  # of in-radius searches, in sides of the query leaf
 QUERIES_TRIED = 200  # leaves of which the one is taken that shows the cases best
 

@@ -135,8 +135,10 @@ protected:
       {
         for (int startDepth = 0; startDepth <= Key::MaxDepth; startDepth += 5)
         {
-          const auto* found = hashed.FindLeaf(leaf.NodeKey.GetLastAtMaxDepth(), startDepth);
+          NodeCount count;
+          const auto* found = hashed.FindLeaf(leaf.NodeKey.GetLastAtMaxDepth(), startDepth, count);
           ASSERT_EQ(found->Key, leaf.NodeKey.GetValue());
+          ASSERT_EQ(count.Nodes, 1U + std::abs(leaf.NodeKey.GetDepth() - startDepth)) << "E3";
           CheckData(tree, leaf, *found);
         }
       });
@@ -150,8 +152,10 @@ protected:
         const auto adjacent = oracle.FindAdjacent(key, EmptyOctants::Leaves);
         for (const int startDepth : startDepths)
         {
-          hashed.FindAdjacent(key, startDepth, found);
+          NodeCount count;
+          hashed.FindAdjacent(key, startDepth, found, count);
           ASSERT_EQ(GetSortedValues(found), adjacent);
+          ASSERT_GE(count.Nodes, adjacent.size()) << "each is looked at";
         }
         for (const double radius : GetRadii(grid.GetSide(key.GetDepth()), grid.GetSide()))
         {
@@ -159,8 +163,10 @@ protected:
             oracle.FindInRadius(key, radius, grid.GetSide(), EmptyOctants::Leaves);
           for (const int startDepth : startDepths)
           {
-            hashed.FindInRadius(key, radius, startDepth, found);
+            NodeCount count;
+            hashed.FindInRadius(key, radius, startDepth, found, count);
             ASSERT_EQ(GetSortedValues(found), inRadius);
+            ASSERT_GE(count.Nodes, inRadius.size());
           }
         }
       });

@@ -88,7 +88,7 @@ TEST(TestPaperReport, NodesAndProbes)
 {
   const MarkdownTables report = MakeReport();
   const std::string neighbors = "Start depths of neighbour searches";
-  EXPECT_EQ(report.GetCell(neighbors, "first", "climbing"), "19.0");
+  EXPECT_EQ(report.GetCell(neighbors, "first", "climbing"), "22.0");
   EXPECT_EQ(report.GetCell(neighbors, "first", "best depth for all"), "20.0 (9)");
   const MarkdownTables::Table& probes = report.Get("Keys and their hashing 2");
   EXPECT_EQ(probes[1],

@@ -88,6 +88,19 @@ TEST(TestPaperSets, RowsOfTable1AgreeWithEachOther)
   }
 }
 
+TEST(TestPaperSets, StartDepthOfTheStadiumIsNotThatOfItsLeaves)
+{
+  // Paper E19. Leaves at the deepest depth are children of nodes with two points at least, and no
+  // other node above them shares these: so few cannot be half of all leaves.
+  const auto& sets = GetPaperSets();
+  const auto stadium = std::find_if(
+    sets.begin(), sets.end(), [](const PaperSet& set) { return set.Name == "stadium_10k"; });
+  ASSERT_NE(stadium, sets.end());
+  EXPECT_EQ(stadium->Paper.StartDepth, stadium->Paper.DeepestDepth);
+  const double thousandDeepest = 8.0 * stadium->Paper.ThousandPoints / 2.0;
+  EXPECT_LT(thousandDeepest, 0.25 * stadium->Paper.ThousandLeaves);
+}
+
 TEST(TestPaperSets, AveragesAndGainsOfTable2FollowFromItsRows)
 {
   // Paper E15: the gains are means of ratios, not ratios of means.

@@ -48,8 +48,10 @@ inline paper_benchmark::PaperResults InventPaperResults(const std::string& name)
     }
   }
   set.Costs = { 10.0, 2.0, 2.5, 1.8, 1.6, 1.5 };
-  set.Neighbors.Adjacent = { 40.0, 21.0, 20.0, 9, 18.0, 19.0 };
-  set.Neighbors.InRadius = { 60.0, 32.0, 30.0, 9, 25.0, 26.0 };
+  set.Neighbors.Adjacent = { 40.0, 21.0, 20.0, 9, 18.0, 22.0 };
+  set.Neighbors.InRadius = { 60.0, 32.0, 30.0, 9, 25.0, 33.0 };
+  set.Neighbors.PaperAdjacent = { 45.0, 26.0, 25.0, 9, 23.0, 27.0 };
+  set.Neighbors.PaperInRadius = { 70.0, 37.0, 35.0, 9, 33.0, 38.0 };
   set.Neighbors.StoredBytes = 1U << 20;
   set.Neighbors.StoredSeconds = 0.5;
   set.Neighbors.Rejected = { 500.0, InventTime(50e-6) };
