@@ -119,14 +119,15 @@ typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
     [&](auto inSpace)
     {
       const auto span = Project(inSpace, octree.Frame);
-      std::vector<Costs> chunks(Execution::GetNumberOfChunks(span.Count, chunkSize));
-      execution.ForChunks(span.Count, chunkSize,
-        [&](std::size_t chunk, std::size_t first, std::size_t last)
+      const auto chunks = execution.MapChunks(span.Count, chunkSize,
+        [&](std::size_t first, std::size_t last)
         {
+          Costs costs{};
           for (std::size_t i = first; i < last; ++i)
           {
-            Add(chunks[chunk], search.Search(static_cast<vtkIdType>(i), GetPosition<Dim>(span, i)));
+            Add(costs, search.Search(static_cast<vtkIdType>(i), GetPosition<Dim>(span, i)));
           }
+          return costs;
         });
       for (const Costs& costs : chunks)
       {

@@ -93,17 +93,18 @@ void AddNeighborArrays(
   cases->SetName("Case");
   ResizeArray(cases.Get(), 1 + neighbors.size());
   cases->SetValue(0, Filter::QueryLeaf);
-  std::vector<Counts> ofChunks(Execution::GetNumberOfChunks(neighbors.size(), ChunkSize));
-  execution.ForChunks(neighbors.size(), ChunkSize,
-    [&](std::size_t chunk, std::size_t first, std::size_t last)
+  const auto ofChunks = execution.MapChunks(neighbors.size(), ChunkSize,
+    [&](std::size_t first, std::size_t last)
     {
+      Counts ofChunk{};
       for (std::size_t i = first; i < last; ++i)
       {
         const int neighborCase = GetCase(neighbors[i].Case);
         roles->SetValue(static_cast<vtkIdType>(1 + i), Filter::Neighbor);
         cases->SetValue(static_cast<vtkIdType>(1 + i), neighborCase);
-        ++ofChunks[chunk][static_cast<std::size_t>(neighborCase)];
+        ++ofChunk[static_cast<std::size_t>(neighborCase)];
       }
+      return ofChunk;
     });
   Counts counts{};
   for (const Counts& ofChunk : ofChunks)

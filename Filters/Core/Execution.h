@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace hashedoctree
 {
@@ -109,6 +110,20 @@ public:
         }
       },
       from, to);
+  }
+
+  /** What function(first, last) returns for each chunk of [0, count), in their order. */
+  template <typename Function>
+  auto MapChunks(std::size_t count, std::size_t chunkSize, const Function& function,
+    double from = 0.0, double to = 1.0) const
+  {
+    std::vector<decltype(function(count, count))> results(GetNumberOfChunks(count, chunkSize));
+    this->ForChunks(
+      count, chunkSize,
+      [&](std::size_t chunk, std::size_t first, std::size_t last)
+      { results[chunk] = function(first, last); },
+      from, to);
+    return results;
   }
 
   /** Reports progress; throws Interrupted when the caller wants no more. */

@@ -188,17 +188,18 @@ private:
   int FindCommonDepth(const Point* points, std::size_t count)
   {
     const MortonKey<Dim> key = points[0].GetKey();
-    std::vector<std::uint64_t> differences(Execution::GetNumberOfChunks(count, ChunkSize));
-    this->ForChunks(count,
-      [&](std::size_t chunk, std::size_t first, std::size_t last)
+    const auto differences = this->Threads.MapChunks(
+      count, ChunkSize,
+      [&](std::size_t first, std::size_t last)
       {
         std::uint64_t here = 0;
         for (std::size_t i = first; i < last; ++i)
         {
           here |= points[i].GetKey().GetValue() ^ key.GetValue();
         }
-        differences[chunk] = here;
-      });
+        return here;
+      },
+      0.0, 0.0);
     std::uint64_t all = 0;
     for (const std::uint64_t difference : differences)
     {

@@ -228,15 +228,15 @@ private:
   void DescribeChildren(const Execution& execution)
   {
     const std::size_t numberOfNodes = this->Tree.GetNumberOfInternalNodes();
-    std::vector<DepthTally<Dim>> tallies(
-      Execution::GetNumberOfChunks(numberOfNodes, NodeChunkSize));
-    execution.ForChunks(numberOfNodes, NodeChunkSize,
-      [this, &tallies](std::size_t chunk, std::size_t first, std::size_t last)
+    const auto tallies = execution.MapChunks(numberOfNodes, NodeChunkSize,
+      [this](std::size_t first, std::size_t last)
       {
+        DepthTally<Dim> tally;
         for (std::size_t node = first; node < last; ++node)
         {
-          this->DescribeChildrenOf(node, tallies[chunk]);
+          this->DescribeChildrenOf(node, tally);
         }
+        return tally;
       });
     DepthTally<Dim> all;
     for (const DepthTally<Dim>& tally : tallies)

@@ -78,10 +78,8 @@ PointSelection<Dim>::PointSelection(
     this->Bounds = *given;
   }
 
-  std::vector<Census> census(Execution::GetNumberOfChunks(points.Count, ChunkSize));
-  execution.ForChunks(points.Count, ChunkSize,
-    [&](std::size_t chunk, std::size_t first, std::size_t last)
-    { census[chunk] = this->Count(points, first, last); });
+  const auto census = execution.MapChunks(points.Count, ChunkSize,
+    [&](std::size_t first, std::size_t last) { return this->Count(points, first, last); });
 
   this->FirstOfChunk.assign(1, 0);
   this->FirstOfChunk.reserve(census.size() + 1);

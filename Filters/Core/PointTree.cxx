@@ -176,14 +176,13 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   {
     return this->CopyPart(leaf, leaf, points);
   }
-  std::vector<CellBox> boxes(Execution::GetNumberOfChunks(count, MostPointsOfTask));
-  execution.ForChunks(
+  const auto boxes = execution.MapChunks(
     count, MostPointsOfTask,
-    [&](std::size_t chunk, std::size_t first, std::size_t last)
+    [&](std::size_t first, std::size_t last)
     {
       const PointRange part{ static_cast<PointIndex>(leaf.First + first),
         static_cast<PointIndex>(leaf.First + last) };
-      boxes[chunk] = this->CopyPart(part, leaf, points);
+      return this->CopyPart(part, leaf, points);
     },
     1.0, 1.0);
   CellBox whole = CellBox::OfNone();

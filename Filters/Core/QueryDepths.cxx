@@ -13,9 +13,8 @@ DepthHistogram MeasureQueryDepths(
   constexpr std::size_t chunkSize = 4096; // Positions that a thread does at a time.
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
   const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
-  std::vector<PerDepth> chunks(Execution::GetNumberOfChunks(queries.Count, chunkSize));
-  execution.ForChunks(queries.Count, chunkSize,
-    [&](std::size_t chunk, std::size_t first, std::size_t last)
+  const auto chunks = execution.MapChunks(queries.Count, chunkSize,
+    [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};
       FindLeaves(
@@ -25,7 +24,7 @@ DepthHistogram MeasureQueryDepths(
           const bool counted = IsFinite(GetPosition<Dim>(queries, i));
           counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += counted ? 1 : 0;
         });
-      chunks[chunk] = counts;
+      return counts;
     });
 
   DepthHistogram histogram(tree.GetDepthCounts().Leaves.size(), 0);
