@@ -35,7 +35,8 @@ template <typename Array>
 void SetSize(Array* array, int components, std::size_t tuples)
 {
   ResizeArray(array, static_cast<std::size_t>(components) * tuples);
-  array->SetNumberOfComponents(components); // For which VTK keeps a tuple, too.
+  // For which VTK keeps a tuple, too: without positions it would be all that takes memory.
+  array->SetNumberOfComponents(tuples > 0 ? components : 1);
 }
 }
 

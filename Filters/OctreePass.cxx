@@ -57,7 +57,7 @@ void OctreePass::ExecuteAny(
   }
   else
   {
-    const Outputs outputs = this->Process(vtkPointSet::SafeDownCast(input), makeOutputs, execution);
+    const Outputs outputs = this->Process(input, makeOutputs, execution);
     for (std::size_t i = 0; i < outputs.size(); ++i)
     {
       targets[i]->ShallowCopy(outputs[i]);
@@ -99,14 +99,8 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   double block = 0.0;
   for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
   {
-    vtkDataObject* data = blocks->GetCurrentDataObject();
-    auto* points = vtkPointSet::SafeDownCast(data);
-    if (points == nullptr && data->GetNumberOfElements(vtkDataObject::POINT) > 0)
-    {
-      ++this->ImplicitBlocks;
-    }
-    const Outputs results = this->Process(
-      points, makeOutputs, execution.Part(block / numberOfBlocks, (block + 1.0) / numberOfBlocks));
+    const Outputs results = this->Process(blocks->GetCurrentDataObject(), makeOutputs,
+      execution.Part(block / numberOfBlocks, (block + 1.0) / numberOfBlocks));
     for (std::size_t i = 0; i < results.size(); ++i)
     {
       outputs[i]->SetDataSetFrom(blocks, results[i]);
@@ -116,10 +110,13 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
 }
 
 OctreePass::Outputs OctreePass::Process(
-  vtkPointSet* input, const MakeOutputs& makeOutputs, const Execution& execution)
+  vtkDataObject* data, const MakeOutputs& makeOutputs, const Execution& execution)
 {
-  if (input == nullptr || input->GetNumberOfPoints() == 0)
+  auto* input = vtkPointSet::SafeDownCast(data);
+  const bool hasPoints = data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+  if (input == nullptr || !hasPoints)
   {
+    this->ImplicitBlocks += hasPoints ? 1 : 0;
     return {};
   }
   const std::optional<AnyPointsOctree> octree = this->Build(input, execution);

@@ -74,7 +74,7 @@ private:
     vtkDataObject* input, const Targets& targets, bool isPiece, const MakeOutputs& makeOutputs);
   void ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
     const MakeOutputs& makeOutputs, const Execution& execution);
-  Outputs Process(vtkPointSet* input, const MakeOutputs& makeOutputs, const Execution& execution);
+  Outputs Process(vtkDataObject* data, const MakeOutputs& makeOutputs, const Execution& execution);
   /** Nothing where there is no point to use. */
   std::optional<AnyPointsOctree> Build(vtkPointSet* input, const Execution& execution);
   [[noreturn]] void RefuseInput() const;

@@ -12,8 +12,8 @@
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkExtentTranslator.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -65,6 +65,24 @@ void SetTimesOfBoth(vtkInformation* first, vtkInformation* second, vtkInformatio
     const double range[] = { *ends.begin(), *ends.rbegin() };
     output->Set(Pipeline::TIME_RANGE(), range, 2);
   }
+}
+
+/** Tells who comes next of the arrays of the queries, and of the active one among their points. */
+void TellOfArrays(vtkInformation* queries, vtkInformation* output)
+{
+  constexpr int deep = 1; // What the queries tell of themselves stays as it is.
+  for (auto* arrays : { vtkDataObject::POINT_DATA_VECTOR(), vtkDataObject::CELL_DATA_VECTOR() })
+  {
+    output->Remove(arrays);
+    if (queries->Has(arrays))
+    {
+      output->CopyEntry(queries, arrays, deep);
+    }
+  }
+  vtkInformation* active = vtkDataObject::SetActiveAttribute(
+    output, vtkDataObject::FIELD_ASSOCIATION_POINTS, "HitCost", vtkDataSetAttributes::SCALARS);
+  active->Set(vtkDataObject::FIELD_ARRAY_TYPE(), VTK_INT);
+  active->Set(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS(), 1);
 }
 
 double GetMean(std::uint64_t sum, const DepthHistogram& depths)
@@ -279,6 +297,7 @@ int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(r
     output->CopyEntry(queries, vtkDataObject::SPACING());
     SetTimesOfBoth(points, queries, output);
   }
+  TellOfArrays(queries, outputVector->GetInformationObject(0));
   return 1;
 }
 
@@ -286,17 +305,12 @@ int vtkHashedOctreeLocateFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
   // The executive asks for the extent of the output, which is one of the queries; points on a grid
-  // of their own have to be asked for in theirs.
+  // of their own have to be asked for in theirs, of which the source takes the piece.
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* points = inputVector[0]->GetInformationObject(0);
   if (points->Has(Pipeline::WHOLE_EXTENT()))
   {
-    vtkNew<vtkExtentTranslator> piece;
-    piece->SetWholeExtent(points->Get(Pipeline::WHOLE_EXTENT()));
-    piece->SetPiece(points->Get(Pipeline::UPDATE_PIECE_NUMBER()));
-    piece->SetNumberOfPieces(points->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()));
-    piece->PieceToExtent();
-    points->Set(Pipeline::UPDATE_EXTENT(), piece->GetExtent(), 6);
+    points->Set(Pipeline::UPDATE_EXTENT(), points->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;
 }

@@ -26,7 +26,8 @@
  * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
  * - A position may lie anywhere, any number of widths away from the data. One that is not finite
  *   has no closest point (-1, or an empty list).
- * - Without points, or without a data set, queries find nothing (-1, or an empty list), silently.
+ * - Without points, or without a data set, queries find nothing (-1, or an empty list), silently;
+ *   without a data set those of the tree that UseExistingSearchStructure has kept.
  * - Lists are always reset first. A squared distance is set exactly when a point is found.
  * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
  *   double (4.4e307), are never found; each build that meets some says so in one warning with their
@@ -175,7 +176,8 @@ public:
    * components, not enough memory, a build that failed), all outputs are empty, with one component;
    * where they are not arrays of their own, all arrays are left alone.
    * - FindClosestPoints(): one id and squared distance for each position.
-   * - FindClosestNPoints(): `count` components for each position, by distance, then by id.
+   * - FindClosestNPoints(): `count` components for each position, by distance, then by id; one
+   *   component without positions.
    *   Both: -1 and infinity where there is no (other) point; nothing for a count of 0 or less.
    * - FindPointsWithinRadius(): those of position i, by distance, then by id, stand at offsets[i]
    *   to offsets[i + 1] - 1 in `ids` and `dist2`; `offsets` has one value more than there are

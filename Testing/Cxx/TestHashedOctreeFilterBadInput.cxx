@@ -4,10 +4,13 @@
 #include "PointSamples.h"
 #include "Sanitized.h"
 
+#include "vtkNonOverlappingAMR.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUniformGrid.h"
 
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -46,6 +49,24 @@ TEST(TestHashedOctreeFilterBadInput, NothingOfAnEarlierRunIsLeftAfterAnError)
   ASSERT_GT(filter.GetCells()->GetNumberOfCells(), 0);
   filter->SetInputData(MakePolyData({}));
   filter.UpdateInError("no points");
+}
+
+TEST(TestHashedOctreeFilterBadInput, AmrIsRefusedOnce)
+{
+  auto grids = vtkSmartPointer<vtkNonOverlappingAMR>::New();
+  const int blocksPerLevel[]{ 2, 1 };
+  grids->Initialize(2, blocksPerLevel);
+  TestedFilter filter;
+  filter->SetInputData(grids);
+  filter.UpdateExpectingError("The input has no points");
+  for (const auto& [level, block] : { std::pair(0U, 0U), std::pair(0U, 1U), std::pair(1U, 0U) })
+  {
+    vtkNew<vtkUniformGrid> grid;
+    grid->SetDimensions(3, 3, 3);
+    grids->SetDataSet(level, block, grid);
+  }
+  grids->Modified();
+  filter.UpdateExpectingError("no coordinates of their own");
 }
 
 TEST(TestHashedOctreeFilterBadInput, NoFinitePointIsAnError)

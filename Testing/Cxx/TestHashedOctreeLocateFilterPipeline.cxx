@@ -2,6 +2,7 @@
 #include "PointSamples.h"
 #include "TestedLocateFilter.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -9,7 +10,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
+#include "vtkStructuredGridAlgorithm.h"
 
 #include <algorithm>
 #include <vector>
@@ -60,6 +63,41 @@ vtkSmartPointer<PointsOfTime> MakePointsOfTime(const std::vector<double>& times)
   points->Times = times;
   return points;
 }
+
+/** A grid of 10 x 5 x 5 points, of which it makes the extent that is asked for, as readers do. */
+class GridOfExtent : public vtkStructuredGridAlgorithm
+{
+public:
+  static GridOfExtent* New();
+  vtkTypeMacro(GridOfExtent, vtkStructuredGridAlgorithm);
+
+protected:
+  GridOfExtent() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
+  {
+    vtkInformation* output = outputVector->GetInformationObject(0);
+    output->Set(Pipeline::WHOLE_EXTENT(), 0, 9, 0, 4, 0, 4);
+    output->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+    vtkInformation* own = vtkDataObject::SetActiveAttribute(
+      output, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Own", vtkDataSetAttributes::SCALARS);
+    own->Set(vtkDataObject::FIELD_ARRAY_TYPE(), VTK_FLOAT);
+    return 1;
+  }
+  int RequestData(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector) override
+  {
+    vtkStructuredGrid* grid = vtkStructuredGrid::GetData(outputVector);
+    int* extent = outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_EXTENT());
+    grid->SetExtent(extent);
+    const auto count = static_cast<std::size_t>(vtkStructuredData::GetNumberOfPoints(extent));
+    grid->SetPoints(MakePoints(MakeUniformPoints<3, double>(count, 360)));
+    return 1;
+  }
+};
+
+vtkStandardNewMacro(GridOfExtent);
 
 /** Points on a grid of their own. */
 vtkSmartPointer<vtkStructuredGrid> MakeGrid(int width, int height)
@@ -112,22 +150,53 @@ TEST(TestHashedOctreeLocateFilterPipeline, AsksForAllQueriesWhicheverOutputIsWan
   }
 }
 
-TEST(TestHashedOctreeLocateFilterPipeline, AsksForPointsOnAGridInTheirOwnExtent)
+TEST(TestHashedOctreeLocateFilterPipeline, AllPiecesTogetherHaveAllPointsOfAGrid)
 {
-  const auto points = MakeGrid(5, 2);
   vtkNew<vtkImageData> queries;
   queries->SetExtent(3, 7, 0, 5, -2, 2);
-  TestedLocateFilter filter(points, queries);
-  const auto getRequested = [&filter](int piece, int numberOfPieces)
+  for (const int numberOfPieces : { 1, 2, 3, 4 })
   {
-    filter->UpdatePiece(piece, numberOfPieces, 0);
-    const int* extent = filter->GetInputInformation(0, 0)->Get(Pipeline::UPDATE_EXTENT());
-    return std::vector<int>(extent, extent + 6);
+    vtkNew<GridOfExtent> points;
+    TestedLocateFilter filter;
+    filter->SetInputConnection(points->GetOutputPort());
+    filter->SetQueryPointsData(queries);
+    int cells = 0;
+    for (int piece = 0; piece < numberOfPieces; ++piece)
+    {
+      filter->UpdatePiece(piece, numberOfPieces, 0);
+      const int* extent = points->GetOutput()->GetExtent();
+      cells += (extent[1] - extent[0]) * (extent[3] - extent[2]) * (extent[5] - extent[4]);
+    }
+    EXPECT_EQ(cells, 9 * 4 * 4) << numberOfPieces;
+    EXPECT_EQ(filter.Errors, std::vector<std::string>()) << numberOfPieces;
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineOfTheActiveArray)
+{
+  vtkNew<GridOfExtent> queries;
+  TestedLocateFilter filter;
+  filter->SetInputData(MakeUniform(50, 361));
+  filter->SetQueryPointsConnection(queries->GetOutputPort());
+  filter->UpdateInformation();
+  const auto getActive = [](vtkInformation* information)
+  {
+    return vtkDataObject::GetActiveFieldInformation(
+      information, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   };
-  EXPECT_EQ(getRequested(0, 1), std::vector<int>({ 0, 4, 0, 1, 0, 0 }));
-  EXPECT_EQ(getRequested(0, 2), std::vector<int>({ 0, 2, 0, 1, 0, 0 }));
-  EXPECT_EQ(getRequested(1, 2), std::vector<int>({ 2, 4, 0, 1, 0, 0 }));
-  EXPECT_EQ(filter.PipelineErrors, std::vector<std::string>());
+  vtkInformation* active = getActive(filter->GetOutputInformation(0));
+  ASSERT_NE(active, nullptr);
+  EXPECT_STREQ(active->Get(vtkDataObject::FIELD_NAME()), "HitCost");
+  EXPECT_EQ(active->Get(vtkDataObject::FIELD_ARRAY_TYPE()), VTK_INT);
+  EXPECT_EQ(active->Get(vtkDataObject::FIELD_NUMBER_OF_COMPONENTS()), 1);
+  // What the queries have is told of, too, and they still tell of it themselves.
+  vtkInformation* own = vtkDataObject::GetNamedFieldInformation(
+    filter->GetOutputInformation(0), vtkDataObject::FIELD_ASSOCIATION_POINTS, "Own");
+  ASSERT_NE(own, nullptr);
+  EXPECT_EQ(own->Get(vtkDataObject::FIELD_ARRAY_TYPE()), VTK_FLOAT);
+  active = getActive(queries->GetOutputInformation(0));
+  ASSERT_NE(active, nullptr);
+  EXPECT_STREQ(active->Get(vtkDataObject::FIELD_NAME()), "Own");
 }
 
 TEST(TestHashedOctreeLocateFilterPipeline, FollowsTheTimeOfTheQueries)
