@@ -346,7 +346,7 @@ void WriteClaimsOfModels(std::ostream& out, const Sets& sets)
       FindGainOf(sets, name, isLarge, OursRoot, OursMedian));
   };
   writeGainOf("... as in random volumes", "random_cube_4000k", false);
-  writeGainOf("... and large with many levels of detail, as in Maracana", "stadium_10k", true);
+  writeGainOf("... and large with many levels of detail, as in Maracanã", "stadium_10k", true);
 }
 
 /** Of random histograms, not of the sets (E9). */
