@@ -86,14 +86,17 @@ class Query:
         self.adjacent.UpdatePipeline()
 
     def least_case(self, point):
-        """Neighbours of the case that has the fewest, around the leaf of a point and in a plane with it."""
+        """Neighbours of the case that has the fewest, around the leaf of a point and in a plane with it; none where a
+        neighbour is so large that it hides the others."""
         self.move_to(point)
         cells = servermanager.Fetch(self.adjacent)
         bounds = np.array([cells.GetCell(i).GetBounds() for i in range(cells.GetNumberOfCells())])
         case = vtk_to_numpy(cells.GetCellData().GetArray("Case"))
         plane = self.get_plane(bounds[0, 4:])
         in_plane = (bounds[:, 4] < plane) & (plane < bounds[:, 5])
-        return min(np.count_nonzero(case[in_plane] == which) for which in list(CASES)[1:])
+        sides = bounds[:, 1] - bounds[:, 0]
+        least = min(np.count_nonzero(case[in_plane] == which) for which in list(CASES)[1:])
+        return least if sides.max() < 2.5 * sides[0] else 0
 
 
 def render(view):

@@ -41,10 +41,13 @@ for name, paper_name in (draw_paper.SCAN, draw_paper.STADIUM):
     discrete, continuous = get_minimisers(point_set)
     assert discrete == int(continuous) == point_set.figures["StartDepthLeaves"], (discrete, continuous)
 
-# The searches that are shown have neighbours of each case.
+# The searches that are shown have neighbours of each case, and none that hides the others.
 query = draw_paper.Query(draw_paper.PointSet(folder, *draw_paper.SCAN))
 figures = draw_paper.demo.field_data(query.adjacent)
 assert min(count for name, count in figures.items() if name.endswith("Neighbors")) > 0, figures
+cells = paper_scenes.servermanager.Fetch(query.adjacent)
+sides = [cells.GetCell(i).GetBounds()[1] - cells.GetCell(i).GetBounds()[0] for i in range(cells.GetNumberOfCells())]
+assert max(sides) < 2.5 * query.side, (max(sides), query.side)
 
 try:
     draw_paper.write_figures(os.path.join(folder, "no such folder"), folder)
