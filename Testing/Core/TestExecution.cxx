@@ -63,6 +63,25 @@ TEST(TestExecution, ForChunksCallsForEachChunkOnce)
   }
 }
 
+TEST(TestExecution, WhatChunksReturnIsInTheirOrder)
+{
+  for (const unsigned threads : { 1U, 8U })
+  {
+    const Execution execution(OnThreads(threads));
+    EXPECT_TRUE(execution.MapChunks(0, 7, [](std::size_t, std::size_t) { return 1; }).empty());
+    const auto counts = execution.MapChunks(
+      1000, 7, [](std::size_t first, std::size_t last) { return last - first; });
+    ASSERT_EQ(counts.size(), 143U);
+    EXPECT_TRUE(
+      std::all_of(counts.begin(), counts.end() - 1, [](std::size_t count) { return count == 7; }));
+    EXPECT_EQ(counts.back(), 6U);
+    const auto firsts =
+      execution.MapChunks(1000, 7, [](std::size_t first, std::size_t) { return first; });
+    EXPECT_TRUE(std::is_sorted(firsts.begin(), firsts.end()));
+    EXPECT_EQ(firsts.back(), 994U);
+  }
+}
+
 TEST(TestExecution, ProgressRisesFromPartToPart)
 {
   std::vector<double> told;
