@@ -126,7 +126,7 @@ TEST(TestHashedOctreePointLocatorBatches, FindWhatSingleSearchesFind)
   const auto coordinates = MakeUniformPoints<3, float>(5000, 181);
   TestedLocator locator(MakePolyData(coordinates));
   vtkSMPTools::SetBackend("STDThread");
-  for (const int threads : { 1, 2, 8 })
+  for (const int threads : { 1, 2, 8 }) // VTK takes no more than the machine has.
   {
     vtkSMPTools::Initialize(threads);
     ASSERT_NO_FATAL_FAILURE(
@@ -149,7 +149,7 @@ TEST(TestHashedOctreePointLocatorBatches, FindTheSameFromAllStartDepths)
        ++model)
   {
     locator->SetStartDepthModel(model);
-    for (const int threads : { 1, 2, 8 })
+    for (const int threads : { 1, 2, 8 }) // As above.
     {
       vtkSMPTools::Initialize(threads);
       ASSERT_NO_FATAL_FAILURE(

@@ -138,7 +138,7 @@ TEST(TestHashedOctreePointLocatorThreads, TheTreeDoesNotDependOnTheThreadsThatBu
   const std::vector<double> queries = MakeUniformPoints<3, double>(100, 45, 0.2, 1.1);
   std::vector<Answers> expected;
   vtkNew<vtkIdList> list;
-  for (const int numberOfThreads : { 1, 2, 8 })
+  for (const int numberOfThreads : { 1, 2, 8 }) // VTK takes no more than there are.
   {
     vtkSMPTools::SetBackend("STDThread");
     vtkSMPTools::Initialize(numberOfThreads);
