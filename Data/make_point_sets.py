@@ -2,9 +2,9 @@
 """python3 make_point_sets.py FOLDER [--quick]
 
 Writes point sets of the kinds and sizes of the paper's Table 1 (see README.md): FOLDER/NAME.xyz, raw
-little-endian float32, x y z of one point after the other, in random order. Files that this very script has made before are
-left as they are, which FOLDER/made_by.sha256 tells; those of another version are removed first. --quick
-leaves out the sets above 150,000 points. Each set has a seed of its own.
+little-endian float32, x y z of one point after the other, in random order. Files that this very script has
+made before are left as they are, which FOLDER/made_by.sha256 tells; those of another version are removed
+first. --quick leaves out the sets above 150,000 points. Each set has a seed of its own.
 """
 import hashlib
 import os

@@ -14,6 +14,20 @@ TEST(TestNodeHash, LowBitsAreTheKeysOwn)
   EXPECT_EQ(hash.GetSlot(0b1101), 0b101U);
 }
 
+TEST(TestNodeHash, SlotsOfTheDrawing)
+{
+  // Plugin/Documentation/structures.svg, the paper's Fig. 3(c): k mod 2^3.
+  const LowBitsHash hash(4);
+  ASSERT_EQ(hash.GetNumberOfSlots(), 8U);
+  const std::vector<std::uint64_t> keys{ 0b11000, 0b1, 0b11010, 0b11011, 0b100, 0b101, 0b110,
+    0b111 };
+  for (std::size_t slot = 0; slot < keys.size(); ++slot)
+  {
+    EXPECT_EQ(hash.GetSlot(keys[slot]), slot);
+  }
+  EXPECT_EQ(hash.GetSlot(0b11001), hash.GetSlot(0b1)) << "a chain of two";
+}
+
 TEST(TestNodeHash, MixingReachesAllOfATableOfAnySize)
 {
   for (const std::size_t count : { 1000UL, 1UL << 20, 1UL << 33 })
