@@ -201,8 +201,7 @@ TEST(TestOctreeFacts, RandomSphereOfThePapersTable1)
 
 TEST(TestOctreeFacts, TreeOfTheDrawing)
 {
-  // Plugin/Documentation/keys.svg, the paper's Fig. 2 and what is stored: its points a to e, here e, c, a, d,
-  // b.
+  // Plugin/Documentation/keys.svg (the paper's Fig. 2): its points a to e, here e, c, a, d, b.
   const PointSample<2, double> sample{ "drawing",
     { 0.84, 0.66, 0.66, 0.45, 0.2, 0.38, 0.9, 0.45, 0.58, 0.18 } };
   const PointSelection<2> selection(
