@@ -4,6 +4,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 void vtkHashedOctreeAlgorithm::SetDimension(int dimension)
 {
@@ -42,6 +43,14 @@ int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(reque
     vtkDataObjectAlgorithm::SetOutputDataObject(
       composite < 0 ? single : several, outputVector->GetInformationObject(port), /*exact=*/true);
   }
+  return 1;
+}
+
+int vtkHashedOctreeAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+{
+  inputVector[0]->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   return 1;
 }
 

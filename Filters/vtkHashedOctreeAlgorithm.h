@@ -132,6 +132,10 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  /** Asks for no ghosts of the points, which would be in several trees, however many are wanted of
+   * the output. */
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
   /** The type of data object at an output port when port 0 has a single data set; negative when
    * there is none to give. */

@@ -301,8 +301,8 @@ int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(r
   return 1;
 }
 
-int vtkHashedOctreeLocateFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
-  vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
+int vtkHashedOctreeLocateFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // The executive asks for the extent of the output, which is one of the queries; points on a grid
   // of their own have to be asked for in theirs, of which the source takes the piece.
@@ -312,7 +312,7 @@ int vtkHashedOctreeLocateFilter::RequestUpdateExtent(vtkInformation* vtkNotUsed(
   {
     points->Set(Pipeline::UPDATE_EXTENT(), points->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  return 1;
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkHashedOctreeLocateFilter::RequestData(

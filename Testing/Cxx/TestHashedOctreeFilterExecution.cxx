@@ -238,6 +238,15 @@ TEST(TestHashedOctreeFilterExecution, AnotherThreadStopsIt)
   }
 }
 
+TEST(TestHashedOctreeFilterExecution, WhoWantsGhostsChangesNoTree)
+{
+  TestedFilter filter(MakeUniformPoints<3, double>(50, 48));
+  filter->UpdatePiece(0, 2, 3);
+  EXPECT_EQ(filter->GetInputInformation(0, 0)->Get(
+              vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()),
+    0);
+}
+
 TEST(TestHashedOctreeFilterExecution, AnyNumberOfThreadsGivesTheSame)
 {
   TestedFilter filter;

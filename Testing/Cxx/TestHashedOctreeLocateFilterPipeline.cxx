@@ -172,6 +172,16 @@ TEST(TestHashedOctreeLocateFilterPipeline, AllPiecesTogetherHaveAllPointsOfAGrid
   }
 }
 
+TEST(TestHashedOctreeLocateFilterPipeline, AsksForGhostsOfTheQueriesOnly)
+{
+  TestedLocateFilter filter(MakeUniform(50, 362), MakeUniform(50, 363));
+  filter->UpdatePiece(0, 2, 3);
+  const auto getLevels = [&filter](int port)
+  { return filter->GetInputInformation(port, 0)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()); };
+  EXPECT_EQ(getLevels(0), 0);
+  EXPECT_EQ(getLevels(1), 3);
+}
+
 TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineOfTheActiveArray)
 {
   vtkNew<GridOfExtent> queries;
