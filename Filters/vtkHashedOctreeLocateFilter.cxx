@@ -219,6 +219,10 @@ private:
     const DepthHistogram predicted = GetDepthHistogram(
       tree.GetDepthCounts(), GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     rows.push_back({ "Entropy bound", -1, GetEntropyBound(predicted), GetEntropyBound(depths) });
+    if (this->IsPiece && GetTotal(depths) == 0)
+    {
+      rows.clear(); // The pieces that have queries have the rows.
+    }
     FillSearchTable(table, rows);
   }
 

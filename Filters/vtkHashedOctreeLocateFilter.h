@@ -63,8 +63,8 @@
  * nodes during which no abort is heeded. That, too, is done once for each tree, whatever the number
  * of blocks of queries. No queries in any block, or none with finite coordinates, are an error, but
  * for a piece of a distributed data set. There every process searches for its own queries in the
- * tree of its own points; one without points gives nothing back, so bring the points to where the
- * queries are.
+ * tree of its own points, and has no rows in the table without some; one without points gives
+ * nothing back, so bring the points to where the queries are.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h

@@ -106,7 +106,8 @@ TEST(TestHashedOctreeLocateFilterInputs, AnEmptyPieceIsNoError)
       if (empty == 1)
       {
         EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), 0);
-        EXPECT_EQ(filter.GetTableValue("Root", "MeasuredMean"), 0);
+        EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 0);
+        EXPECT_EQ(filter.GetTable()->GetNumberOfColumns(), 4);
       }
     }
   }
