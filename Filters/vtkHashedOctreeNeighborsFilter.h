@@ -42,12 +42,13 @@
  * Points with a coordinate that is not finite or too large are left out with one warning. An input
  * without points, or without one that can be used, is an error, but for an empty piece of a
  * distributed data set or an empty block of a composite one. So is a LeafKey that names no leaf; of
- * a composite data set the blocks that have no such leaf stay empty, and one must have it. A Center
- * that is not finite is an error, and so is a Radius that is negative or NaN, where it is used.
- * After an error the output is empty. The result does not depend on the number of threads
- * (vtkSMPTools), which build the tree and fill arrays; the search takes one. Progress is reported
- * and an abort heeded but for the search itself; an abort leaves the output empty. Of a distributed
- * data set every process searches the tree of its own piece.
+ * a composite data set the blocks that have no such leaf stay empty, and one must have it; a piece
+ * of a distributed one stays empty without an error, since another may have it. A Center that is
+ * not finite is an error, and so is a Radius that is negative or NaN, where it is used. After an
+ * error the output is empty. The result does not depend on the number of threads (vtkSMPTools),
+ * which build the tree and fill arrays; the search takes one. Progress is reported and an abort
+ * heeded but for the search itself; an abort leaves the output empty. Of a distributed data set
+ * every process searches the tree of its own piece.
  */
 
 #ifndef vtkHashedOctreeNeighborsFilter_h
