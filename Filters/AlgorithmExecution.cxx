@@ -24,10 +24,6 @@ bool IsAborted(vtkAlgorithm* algorithm)
 #endif
 }
 
-/** Parts of a range for each thread: enough to share it out evenly. To some backends each part is a
- * job that wakes a thread. */
-constexpr std::size_t PartsPerThread = 8;
-
 std::size_t GetNumberOfThreads()
 {
   return static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads());
@@ -37,7 +33,7 @@ void RunOnThreads(
   std::size_t first, std::size_t last, std::size_t grain, const Execution::Body& body)
 {
   const auto count = static_cast<vtkIdType>(last - first);
-  const auto parts = static_cast<vtkIdType>(PartsPerThread * GetNumberOfThreads());
+  const auto parts = static_cast<vtkIdType>(Execution::GrainsPerThread * GetNumberOfThreads());
   // What leaves a thread of vtkSMPTools ends the program, or is lost, depending on the version.
   std::atomic<bool> failed{ false };
   std::exception_ptr error;

@@ -30,14 +30,10 @@ double ParabolaDistance(double t)
 double FindMinimiser(const DepthHistogram& histogram)
 {
   const auto median = static_cast<std::size_t>(GetMedianDepth(histogram));
-  const auto sum = [&histogram](std::size_t first, std::size_t last)
-  {
-    return std::accumulate(histogram.begin() + static_cast<std::ptrdiff_t>(first),
-      histogram.begin() + static_cast<std::ptrdiff_t>(last), std::uint64_t(0));
-  };
-  const std::uint64_t below = sum(0, median);
-  const std::uint64_t above = sum(median + 1, histogram.size());
+  const std::uint64_t below = std::accumulate(
+    histogram.begin(), histogram.begin() + static_cast<std::ptrdiff_t>(median), std::uint64_t(0));
   const std::uint64_t weight = histogram[median];
+  const std::uint64_t above = GetTotal(histogram) - below - weight;
   const auto depth = static_cast<double>(median);
   if (below + weight == above)
   {
@@ -52,19 +48,16 @@ double FindMinimiser(const DepthHistogram& histogram)
 
 ContinuousCost::ContinuousCost(const DepthHistogram& histogram)
 {
-  double total = 0.0;
+  const auto total = static_cast<double>(GetTotal(histogram));
+  if (total == 0.0)
+  {
+    return;
+  }
   for (const std::uint64_t weight : histogram)
   {
-    total += static_cast<double>(weight);
+    this->Shares.push_back(static_cast<double>(weight) / total);
   }
-  for (std::size_t depth = 0; depth < histogram.size() && total > 0.0; ++depth)
-  {
-    this->Shares.push_back(static_cast<double>(histogram[depth]) / total);
-  }
-  if (total > 0.0)
-  {
-    this->Minimiser = FindMinimiser(histogram);
-  }
+  this->Minimiser = FindMinimiser(histogram);
 }
 
 double ContinuousCost::GetCost(double x) const
@@ -91,5 +84,4 @@ double ContinuousCost::GetDistribution(double x) const
   }
   return share;
 }
-
 }

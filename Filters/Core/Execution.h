@@ -40,6 +40,7 @@ public:
     std::function<void(std::size_t first, std::size_t last, std::size_t grain, const Body& body)>;
   using Progress = std::function<bool(double fraction)>;
 
+  /** Enough to share a range out evenly. More would cost: each may be a job that wakes a thread. */
   static constexpr std::size_t GrainsPerThread = 8;
   static constexpr std::size_t LeastBatchGrains = 32;
 

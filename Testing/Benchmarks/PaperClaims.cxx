@@ -230,6 +230,14 @@ Finding FindCorrelation(const Sets& sets, const Gain& gain)
                                    : "cannot be told" };
 }
 
+/** What is claimed of nodes and of time. */
+std::string JudgeBoth(const Finding& nodes, const Finding& times)
+{
+  return nodes.Verdict == times.Verdict
+    ? nodes.Verdict
+    : "depends: nodes " + nodes.Verdict + ", time " + times.Verdict;
+}
+
 /** By nodes for both layouts, and by the times of one. */
 Finding FindGainByDeviation(const Sets& sets, std::size_t root, std::size_t optimised)
 {
@@ -238,9 +246,7 @@ Finding FindGainByDeviation(const Sets& sets, std::size_t root, std::size_t opti
     sets, [=](const PaperResults& set) { return GetGainInTime(set, root, optimised); });
   return { "rank correlation of gain and deviation of depth: nodes " + nodes.Measured + ", time " +
       times.Measured,
-    nodes.Verdict == times.Verdict
-      ? nodes.Verdict
-      : "depends: nodes " + nodes.Verdict + ", time " + times.Verdict };
+    JudgeBoth(nodes, times) };
 }
 
 /** Whether the gain in one set is larger than in most others, or smaller, in nodes and in time. */
@@ -266,10 +272,7 @@ Finding FindGainOf(
   const Finding nodes = rank("gain in nodes ", GetGainInNodes);
   const Finding times = rank(
     "; in time ", [=](const PaperResults& other) { return GetGainInTime(other, root, optimised); });
-  return { nodes.Measured + times.Measured,
-    nodes.Verdict == times.Verdict
-      ? nodes.Verdict
-      : "depends: nodes " + nodes.Verdict + ", time " + times.Verdict };
+  return { nodes.Measured + times.Measured, JudgeBoth(nodes, times) };
 }
 
 Finding FindErrorOfDirectDepth(const Sets& sets, NeighborCosts NeighborStarts::*kind)
@@ -319,6 +322,14 @@ void WriteClaim(std::ostream& out, const std::string& claim, const Finding& both
   WriteClaim(out, claim, both, { "the same", both.Verdict });
 }
 
+/** Searches from the start depth, which must not be slower than from the root. */
+void WriteClaimBesideRoot(
+  std::ostream& out, const Sets& sets, const std::string& claim, PaperSearchKind kind)
+{
+  WriteClaim(out, claim, FindTimes(sets, kind, PaperStart, { PaperRoot }),
+    FindTimes(sets, kind, OursMedian, { OursRoot }));
+}
+
 void WriteClaimsOfModels(std::ostream& out, const Sets& sets)
 {
   WriteClaim(out,
@@ -326,9 +337,7 @@ void WriteClaimsOfModels(std::ostream& out, const Sets& sets)
     CompareWithRoot(sets, "optimised",
       [](const PaperResults& set, std::size_t model)
       { return set.Frequencies[model].Medians[model]; }));
-  WriteClaim(out, "... nor slower, direct searches for all points",
-    FindTimes(sets, Direct, PaperStart, { PaperRoot }),
-    FindTimes(sets, Direct, OursMedian, { OursRoot }));
+  WriteClaimBesideRoot(out, sets, "... nor slower, direct searches for all points", Direct);
   WriteClaim(out, "The root is the worst start depth (section 4, E11)",
     CompareWithRoot(sets, "deepest depth",
       [](const PaperResults& set, std::size_t model) { return set.Frequencies[model].Deepest; }));
@@ -391,15 +400,11 @@ void WriteClaimsOfSearches(std::ostream& out, const Sets& sets)
     Adjacent, SeveralTimes);
   writeSpeedUp("In-radius searches are several times as fast as brother/child's (section 5)",
     InRadius, SeveralTimes);
-  const auto writeBesideRoot = [&](const std::string& claim, PaperSearchKind kind)
-  {
-    WriteClaim(out, claim, FindTimes(sets, kind, PaperStart, { PaperRoot }),
-      FindTimes(sets, kind, OursMedian, { OursRoot }));
-  };
-  writeBesideRoot("Adjacent searches are not slower from the start depth than from the root "
-                  "(section 3b; Table 2: x 6.2)",
+  WriteClaimBesideRoot(out, sets,
+    "Adjacent searches are not slower from the start depth than from the root (section 3b; Table "
+    "2: x 6.2)",
     Adjacent);
-  writeBesideRoot("... and in-radius ones (section 3c; Table 2: x 24.2)", InRadius);
+  WriteClaimBesideRoot(out, sets, "... and in-radius ones (section 3c; Table 2: x 24.2)", InRadius);
   WriteClaim(out, "From the root, direct searches in hashed octrees are slower (Table 2)",
     FindTimes(sets, Direct, Pointers, { PaperRoot }),
     FindTimes(sets, Direct, Pointers, { OursRoot }));

@@ -135,13 +135,15 @@ for generate in (sets.blob_scan, sets.gyroid_scan):
     assert 0.05 < np.median(off) < 0.5 and (off > 1e-3).mean() > 0.98, (generate, np.median(off))
     surface = sets.sample_surface(np.random.default_rng(4), COUNT, fields[0])[0]
     assert np.abs(distances(surface, fields[0])).max() < 1e-3 * spacing, generate
-# Where density varies, from the few points in an equal share of space to the many, it does so far more.
+
+
 def vary(points):
     """The deviation of the logarithm of the number of points in cells, of the cells that have some."""
     counts = np.unique(np.floor(points * 8), axis=0, return_counts=True)[1]
     return np.log(counts).std()
 
 
+# Two scans are much denser in some places than in others.
 for name, even in (("scan_100k", sets.blob_scan), ("gyroid_100k", sets.gyroid_scan)):
     varied = sets.SETS[name][0](np.random.default_rng(10), COUNT)
     assert vary(varied) > 1.2 * vary(even(np.random.default_rng(10), COUNT)), (name, vary(varied))
