@@ -9,26 +9,6 @@
 
 namespace
 {
-/** The finite points of the standing samples that have any. */
-std::vector<PointSample<3, double>> MakeGoodSamples()
-{
-  std::vector<PointSample<3, double>> samples;
-  for (auto& sample : MakePointSamples<3, double>())
-  {
-    bool finite = true;
-    for (const double x : sample.Coordinates)
-    {
-      finite = finite && std::isfinite(x);
-    }
-    if (finite && !sample.Coordinates.empty())
-    {
-      samples.push_back(std::move(sample));
-    }
-  }
-  EXPECT_GT(samples.size(), 10U);
-  return samples;
-}
-
 /** Calls function() for all combinations of leaves without points and internal nodes. */
 template <typename Function>
 void ForAllSelections(TestedFilter& filter, const Function& function)
@@ -49,7 +29,7 @@ void ForAllSelections(TestedFilter& filter, const Function& function)
 
 TEST(TestHashedOctreeFilterCells, VoxelsAreThoseOfThePlainOctree)
 {
-  for (const auto& sample : MakeGoodSamples())
+  for (const auto& sample : MakeFinitePointSamples<3, double>())
   {
     SCOPED_TRACE(sample.Name);
     TestedFilter filter(sample.Coordinates);
@@ -72,7 +52,7 @@ TEST(TestHashedOctreeFilterCells, OutlinesAreThoseOfThePlainOctree)
 
 TEST(TestHashedOctreeFilterCells, OutlinesHaveTheArraysAndCornersOfVoxels)
 {
-  for (const auto& sample : MakeGoodSamples())
+  for (const auto& sample : MakeFinitePointSamples<3, double>())
   {
     SCOPED_TRACE(sample.Name);
     TestedFilter voxels(sample.Coordinates);
@@ -121,7 +101,7 @@ TEST(TestHashedOctreeFilterCells, EachLeafHoldsItsPointsAndNoOthers)
 
 TEST(TestHashedOctreeFilterCells, LeavesAddUpToTheRoot)
 {
-  for (const auto& sample : MakeGoodSamples())
+  for (const auto& sample : MakeFinitePointSamples<3, double>())
   {
     if (sample.Name == "far offset") // Its leaves are smaller than the doubles there can tell.
     {

@@ -15,23 +15,6 @@ namespace
 {
 constexpr double Across = -2.5; ///< Where flat points lie.
 
-/** The finite standing samples of points in a plane. */
-std::vector<PointSample<2, double>> MakePlanarSamples()
-{
-  std::vector<PointSample<2, double>> samples;
-  for (auto& sample : MakePointSamples<2, double>())
-  {
-    if (!sample.Coordinates.empty() &&
-      std::all_of(sample.Coordinates.begin(), sample.Coordinates.end(),
-        [](double x) { return std::isfinite(x); }))
-    {
-      samples.push_back(std::move(sample));
-    }
-  }
-  EXPECT_GT(samples.size(), 10U);
-  return samples;
-}
-
 /** The points of a cell in space. */
 std::vector<std::array<double, 3>> GetCellCorners(vtkDataSet* cells, vtkIdType cell)
 {
@@ -112,7 +95,7 @@ const std::vector<double> DeepPoints{ 0, 0, std::ldexp(1.0, -30), 0, 2, 2 };
 
 TEST(TestHashedOctreeFilterQuadtrees, CellsAreTheNodesOfTheCoresQuadtree)
 {
-  for (const auto& sample : MakePlanarSamples())
+  for (const auto& sample : MakeFinitePointSamples<2, double>())
   {
     SCOPED_TRACE(sample.Name);
     const auto core = MakeCoreQuadtree(sample.Coordinates);

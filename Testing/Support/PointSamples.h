@@ -4,6 +4,7 @@
 
 #include "PointSelection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -163,6 +164,23 @@ std::vector<PointSample<Dim, Real>> MakePointSamples()
     std::numeric_limits<Real>::max() > Real(1e300) ? std::numeric_limits<Real>::max() : notANumber;
   add("not finite", broken);
   add("nothing finite", std::vector<Real>(Dim * 3, notANumber));
+  return samples;
+}
+
+/** Those of them that have points, and all of these finite. */
+template <int Dim, typename Real>
+std::vector<PointSample<Dim, Real>> MakeFinitePointSamples()
+{
+  std::vector<PointSample<Dim, Real>> samples;
+  for (PointSample<Dim, Real>& sample : MakePointSamples<Dim, Real>())
+  {
+    const std::vector<Real>& coordinates = sample.Coordinates;
+    if (!coordinates.empty() &&
+      std::all_of(coordinates.begin(), coordinates.end(), [](Real x) { return std::isfinite(x); }))
+    {
+      samples.push_back(std::move(sample));
+    }
+  }
   return samples;
 }
 
