@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OctreeCells.h"
 
-#include "DirectSearch.h"
+#include "NodeArrays.h"
 #include "NodeCorners.h"
 #include "ResizeArray.h"
 
@@ -9,14 +9,11 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
-#include "vtkTypeUInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -28,15 +25,6 @@ constexpr std::size_t Grain = 512; // Nodes or corners that a thread does at a t
 
 /** Below so many nodes, all ids of their cells fit into 32 bits and take half the memory. */
 constexpr std::size_t NodesWithLongIds = std::size_t(1) << 27;
-
-template <typename Array>
-vtkNew<Array> MakeArray(const char* name, std::size_t size)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  ResizeArray(array.Get(), size);
-  return array;
-}
 
 /** Calls function(i) for each i below count, on all threads. */
 template <typename Function>
@@ -125,7 +113,8 @@ void OctreeCells<Dim>::FillVoxels(vtkUnstructuredGrid* output, const Execution& 
 {
   const Nodes& nodes = this->Listed;
   constexpr std::size_t size = NodeCorners<Dim>::CornersOfNode;
-  this->AddArrays(output, execution.Part(0.0, 0.2));
+  AddNodeArrays(
+    this->Tree, this->StartDepth, nodes, output->GetCellData(), execution.Part(0.0, 0.2));
   vtkNew<IdArray> connectivity;
   ResizeArray(connectivity.Get(), nodes.GetSize() * size);
   const NodeCorners<Dim> corners(
@@ -150,7 +139,8 @@ void OctreeCells<Dim>::FillOutlines(vtkPolyData* output, const Execution& execut
   using Id = typename IdArray::ValueType;
   constexpr auto outline = CellShape<Dim>::Outline;
   constexpr std::size_t size = outline.size();
-  this->AddArrays(output, execution.Part(0.0, 0.2));
+  AddNodeArrays(
+    this->Tree, this->StartDepth, nodes, output->GetCellData(), execution.Part(0.0, 0.2));
   Buffer<Id> voxels(nodes.GetSize() * NodeCorners<Dim>::CornersOfNode);
   const NodeCorners<Dim> corners(nodes, this->Apart, voxels.GetData(), execution.Part(0.2, 0.7));
   output->SetPoints(
@@ -169,42 +159,6 @@ void OctreeCells<Dim>::FillOutlines(vtkPolyData* output, const Execution& execut
   vtkNew<vtkCellArray> lines;
   SetCells(lines.Get(), nodes.GetSize(), size, connectivity.Get(), execution.Part(0.9, 1.0));
   output->SetLines(lines);
-}
-
-template <int Dim>
-template <typename DataSet>
-void OctreeCells<Dim>::AddArrays(DataSet* output, const Execution& execution) const
-{
-  const Nodes& nodes = this->Listed;
-  const std::size_t size = nodes.GetSize();
-  const auto depths = MakeArray<vtkIntArray>("Depth", size);
-  const auto hitCosts = MakeArray<vtkIntArray>("HitCost", size);
-  const auto rootCosts = MakeArray<vtkIntArray>("RootCost", size);
-  const auto pointCounts = MakeArray<vtkIdTypeArray>("PointCount", size);
-  const auto keys = MakeArray<vtkTypeUInt64Array>("MortonKey", size);
-  ForEach(size, execution,
-    [&](std::size_t i)
-    {
-      const typename Octree<Dim>::Node& node = nodes[i];
-      const MortonKey<Dim> key = node.NodeKey.GetFirstAtMaxDepth();
-      const auto cost = [&](int startDepth) {
-        return node.Internal ? 0
-                             : static_cast<int>(CountExaminedNodes(this->Tree, key, startDepth));
-      };
-      const auto id = static_cast<vtkIdType>(i);
-      depths->SetValue(id, node.NodeKey.GetDepth());
-      hitCosts->SetValue(id, cost(this->StartDepth));
-      rootCosts->SetValue(id, cost(0));
-      pointCounts->SetValue(id, node.GetNumberOfPoints());
-      keys->SetValue(id, node.NodeKey.GetValue());
-    });
-  vtkCellData* cellData = output->GetCellData();
-  cellData->AddArray(depths);
-  cellData->AddArray(hitCosts);
-  cellData->AddArray(rootCosts);
-  cellData->AddArray(pointCounts);
-  cellData->AddArray(keys);
-  cellData->SetActiveScalars("Depth");
 }
 
 template class OctreeCells<2>;

@@ -12,12 +12,10 @@ namespace hashedoctree
 {
 /**
  * Nodes of an octree or quadtree as VTK cells, one cell each in the order of the list, with shared
- * corners in double precision and the cell arrays Depth (active), HitCost, RootCost, PointCount and
- * MortonKey. HitCost and RootCost are the nodes that a counted search for the leaf examines from
- * `startDepth` and from the root; 0 on internal nodes, which no search ends at. The first `apart`
- * nodes share no corners with others; theirs come last. The tree and the list must outlive it. Both
- * outputs throw Interrupted, and must then be emptied. Instantiated for 2 and 3 dimensions. Private
- * to the module.
+ * corners in double precision and the arrays of AddNodeArrays() for searches from `startDepth`. The
+ * first `apart` nodes share no corners with others; theirs come last. The tree and the list must
+ * outlive it. Both outputs throw Interrupted, and must then be emptied. Instantiated for 2 and 3
+ * dimensions. Private to the module.
  */
 template <int Dim>
 class OctreeCells
@@ -45,8 +43,6 @@ private:
   void FillVoxels(vtkUnstructuredGrid* output, const Execution& execution) const;
   template <typename IdArray>
   void FillOutlines(vtkPolyData* output, const Execution& execution) const;
-  template <typename DataSet>
-  void AddArrays(DataSet* output, const Execution& execution) const;
 
   const Octree<Dim>& Tree;
   int StartDepth;
