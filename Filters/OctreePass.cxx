@@ -9,8 +9,10 @@
 #include "QuadtreeFrame.h"
 #include "SkippedPoints.h"
 
+#include "vtkBitArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointSet.h"
@@ -39,6 +41,23 @@ PointsOctree<Dim> BuildInFrame(const TreeFrame<Dim>& frame, PointSpan<3, Real> p
              execution),
     frame, selection.GetNumberOfSkippedPoints(), selection.GetNumberOfOutsidePoints() };
 }
+
+/** Gives what a data object holds to another of its type. The mask of a hyper tree grid goes by
+ * itself: to copy one that has a mask VTK visits all of its nodes, and heeds no abort. */
+void HandOver(vtkDataObject* from, vtkDataObject* to)
+{
+  auto* grid = vtkHyperTreeGrid::SafeDownCast(from);
+  const vtkSmartPointer<vtkBitArray> mask = grid != nullptr ? grid->GetMask() : nullptr;
+  if (mask)
+  {
+    grid->SetMask(nullptr);
+  }
+  to->ShallowCopy(from);
+  if (mask)
+  {
+    vtkHyperTreeGrid::SafeDownCast(to)->SetMask(mask);
+  }
+}
 }
 
 OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>> root)
@@ -60,7 +79,7 @@ void OctreePass::ExecuteAny(
     const Outputs outputs = this->Process(input, makeOutputs, execution);
     for (std::size_t i = 0; i < outputs.size(); ++i)
     {
-      targets[i]->ShallowCopy(outputs[i]);
+      HandOver(outputs[i], targets[i]);
     }
   }
   if (this->SkippedPoints > 0)

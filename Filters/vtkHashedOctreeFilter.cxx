@@ -6,12 +6,14 @@
 #include "FieldValue.h"
 #include "NodeList.h"
 #include "OctreeCells.h"
+#include "OctreeHyperTree.h"
 #include "OctreePass.h"
 #include "OctreeTables.h"
 #include "PassFieldData.h"
 #include "StartDepths.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -31,9 +33,9 @@ namespace
 {
 constexpr int NumberOfOutputs = 3;
 
-/** Shares of the progress of one tree: where each step ends. The rest is for its cells. */
+/** Share of the progress of one tree where measuring ends. The rest is for its nodes, */
 constexpr double MeasuringShare = 0.6;
-constexpr double ListShare = 0.64;
+constexpr double ListShare = 0.1; ///< and of that, for the list of those that are cells.
 }
 
 /** What one run of RequestData makes of each tree. */
@@ -59,24 +61,8 @@ public:
     FillCostCurves(costs, counts,
       MeasureCost(tree, execution.Part(OctreePass::BuildShare, MeasuringShare)), Dim);
 
-    const auto listed = ListNodes(tree,
-      NodeListOptions{ this->Self->IncludeEmptyLeaves, this->Self->IncludeInternalNodes },
-      execution.Part(MeasuringShare, ListShare));
-    const OctreeCells<Dim> cells(tree, startDepth, listed, octree.Frame);
-    const Execution cellsExecution = execution.Part(ListShare, 1.0);
-    vtkSmartPointer<vtkDataObject> nodes;
-    if (this->Self->OutputType == Outlines)
-    {
-      vtkNew<vtkPolyData> outlines;
-      cells.MakeOutlines(outlines, cellsExecution);
-      nodes = outlines;
-    }
-    else
-    {
-      vtkNew<vtkUnstructuredGrid> voxels;
-      cells.MakeVoxels(voxels, cellsExecution);
-      nodes = voxels;
-    }
+    const vtkSmartPointer<vtkDataObject> nodes =
+      this->MakeNodes(octree, startDepth, execution.Part(MeasuringShare, 1.0));
     this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
     PassFieldData(nodes, histogram);
     PassFieldData(nodes, costs);
@@ -84,6 +70,34 @@ public:
   }
 
 private:
+  /** What port 0 shows of a tree. */
+  template <int Dim>
+  vtkSmartPointer<vtkDataObject> MakeNodes(
+    const PointsOctree<Dim>& octree, int startDepth, const Execution& execution) const
+  {
+    const bool showsEmptyLeaves = this->Self->IncludeEmptyLeaves;
+    if (this->Self->OutputType == HyperTreeGrid)
+    {
+      const auto grid = vtkSmartPointer<vtkHyperTreeGrid>::New();
+      FillHyperTreeGrid(octree.Tree, startDepth, octree.Frame, showsEmptyLeaves, grid, execution);
+      return grid;
+    }
+    const auto listed =
+      ListNodes(octree.Tree, NodeListOptions{ showsEmptyLeaves, this->Self->IncludeInternalNodes },
+        execution.Part(0.0, ListShare));
+    const OctreeCells<Dim> cells(octree.Tree, startDepth, listed, octree.Frame);
+    const Execution cellsExecution = execution.Part(ListShare, 1.0);
+    if (this->Self->OutputType == Outlines)
+    {
+      const auto outlines = vtkSmartPointer<vtkPolyData>::New();
+      cells.MakeOutlines(outlines, cellsExecution);
+      return outlines;
+    }
+    const auto voxels = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    cells.MakeVoxels(voxels, cellsExecution);
+    return voxels;
+  }
+
   /** Where searches would start by another frequency model. */
   template <int Dim>
   int GetStartDepthBy(const Octree<Dim>& tree, hashedoctree::FrequencyModel model) const
@@ -135,8 +149,8 @@ vtkHashedOctreeFilter::vtkHashedOctreeFilter()
 
 int vtkHashedOctreeFilter::GetTypeOfOutput(int port, vtkInformationVector** vtkNotUsed(inputVector))
 {
-  const int cells = this->OutputType == Outlines ? VTK_POLY_DATA : VTK_UNSTRUCTURED_GRID;
-  return port == 0 ? cells : VTK_TABLE;
+  constexpr int types[] = { VTK_UNSTRUCTURED_GRID, VTK_POLY_DATA, VTK_HYPER_TREE_GRID };
+  return port == 0 ? types[this->OutputType] : VTK_TABLE;
 }
 
 int vtkHashedOctreeFilter::RequestData(

@@ -19,8 +19,11 @@
  *
  * Output port 0, the nodes of the tree as cells, ordered by depth, then by Morton key, in a
  * vtkUnstructuredGrid of VTK_VOXEL or, of a quadtree, VTK_PIXEL (Voxels), or in a vtkPolyData of a
- * VTK_POLY_LINE each along its edges (Outlines). Leaves with points are always in it.
- * Cell arrays, one value per cell:
+ * VTK_POLY_LINE each along its edges (Outlines). Leaves with points are always in it. Or the whole
+ * tree as VTK's own kind of tree, a vtkHyperTreeGrid with the root for its only cell
+ * (HyperTreeGrid): all nodes are its vertices, the children of one after the other in VTK's order,
+ * and leaves without points are masked, unless they are included. Cell arrays, one value per cell
+ * or vertex:
  * - Depth (int, active scalars): 0 is the root;
  * - HitCost (int): nodes that a search for this leaf from the start depth examines, counted in a
  *   real search; 1 + |Depth - StartDepth|. 0 on internal nodes, where no search ends;
@@ -76,17 +79,19 @@ public:
   enum OutputTypes
   {
     Voxels = 0,
-    Outlines = 1
+    Outlines = 1,
+    HyperTreeGrid = 2
   };
 
   ///@{
   /** One of OutputTypes; default Voxels. */
-  vtkSetClampMacro(OutputType, int, Voxels, Outlines);
+  vtkSetClampMacro(OutputType, int, Voxels, HyperTreeGrid);
   vtkGetMacro(OutputType, int);
   ///@}
 
   ///@{
-  /** Whether port 0 also holds the internal nodes, each around its children. Default off. */
+  /** Whether port 0 also holds the internal nodes, each around its children; a hyper tree grid
+   * always does. Default off. */
   vtkSetMacro(IncludeInternalNodes, bool);
   vtkGetMacro(IncludeInternalNodes, bool);
   vtkBooleanMacro(IncludeInternalNodes, bool);

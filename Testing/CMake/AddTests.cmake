@@ -27,7 +27,8 @@ function (hashedoctree_add_vtk_test name)
   endif ()
   _hashedoctree_add_gtest("${name}" "Cxx/${name}.cxx" vtk
     HashedOctree::Filters HashedOctree::Core
-    VTK::FiltersGeneral VTK::FiltersGeometry VTK::FiltersPoints VTK::FiltersSources)
+    VTK::FiltersGeneral VTK::FiltersGeometry VTK::FiltersHyperTree VTK::FiltersPoints
+    VTK::FiltersSources)
 endfunction ()
 
 # hashedoctree_add_python_test(<name> [DISPLAY | HELP | PLAIN | SERVER | RANKS <n>]): Python/<name>.py with the

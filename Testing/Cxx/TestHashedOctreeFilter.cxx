@@ -59,7 +59,7 @@ TEST(TestHashedOctreeFilter, ClampsValuesThatAreOutOfRange)
   EXPECT_EQ(clamped(&F::SetFixedStartDepth, &F::GetFixedStartDepth, -1), 0);
   EXPECT_EQ(clamped(&F::SetFixedStartDepth, &F::GetFixedStartDepth, 32), 31);
   EXPECT_EQ(clamped(&F::SetOutputType, &F::GetOutputType, -1), F::Voxels);
-  EXPECT_EQ(clamped(&F::SetOutputType, &F::GetOutputType, 2), F::Outlines);
+  EXPECT_EQ(clamped(&F::SetOutputType, &F::GetOutputType, 3), F::HyperTreeGrid);
 }
 
 TEST(TestHashedOctreeFilter, PrintsEveryProperty)

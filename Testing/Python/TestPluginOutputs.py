@@ -46,6 +46,20 @@ assert outlines.GetNumberOfLines() == cells.GetNumberOfCells()
 for name, values in arrays(outlines.GetCellData()).items():
     assert (values == of_cells[name]).all(), name
 
+# So has the tree as ParaView's own kind of tree, which holds the nodes above the leaves, too. (Such
+# data stay on the server: ParaView cannot fetch them.)
+octree.OutputType = "HyperTreeGrid"
+octree.UpdatePipeline()
+grid = octree.GetDataInformation(0)
+assert grid.GetDataSetTypeAsString() == "vtkHyperTreeGrid", grid.GetDataSetTypeAsString()
+assert grid.GetNumberOfCells() == figures["NumberOfNodes"]
+leaves = simple.HyperTreeGridToUnstructuredGrid(Input=octree)
+leaves.UpdatePipeline()
+of_leaves = arrays(fetch(leaves, 0).GetCellData())
+for name, values in of_cells.items():
+    assert (numpy.sort(of_leaves[name]) == numpy.sort(values)).all(), name
+octree.OutputType = "Voxels"
+
 # Composite input: a tree for each block, at each port.
 group = simple.GroupDatasets(Input=[sphere, simple.XMLPolyDataReader(FileName=[path])])
 blocks = simple.HashedOctree(Input=group)

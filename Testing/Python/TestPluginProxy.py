@@ -6,7 +6,7 @@ from paraview import simple
 
 octree = simple.HashedOctree(Input=simple.Sphere())
 names = octreetesting.check_properties(octree, vtkHashedOctreeFilter,
-                                       {"OutputType": ["Voxels", "Outlines"]})
+                                       {"OutputType": ["Voxels", "Outlines", "HyperTreeGrid"]})
 assert len(names) == 12, names
 
 # Values reach the class.
@@ -18,11 +18,15 @@ values = {"Dimension": "Two", "Plane": "XZ", "MaxPointsPerLeaf": 7, "MaxDepth": 
 assert set(values) == names
 octreetesting.check_values(octree, vtkHashedOctreeFilter, values)
 
-# Plane is shown where it is used.
-decorator = octree.SMProxy.GetProperty("Plane").GetHints().FindNestedElementByName(
-    "PropertyWidgetDecorator")
-assert decorator.GetAttribute("property") == "Dimension"
-assert decorator.GetAttribute("value") == str(vtkHashedOctreeFilter.Two)
+# What is used with one value of another property only, or with all but one, is shown with these.
+for name, other, value, is_hidden in (
+        ("Plane", "Dimension", vtkHashedOctreeFilter.Two, False),
+        ("IncludeInternalNodes", "OutputType", vtkHashedOctreeFilter.HyperTreeGrid, True)):
+    decorator = octree.SMProxy.GetProperty(name).GetHints().FindNestedElementByName(
+        "PropertyWidgetDecorator")
+    assert decorator.GetAttribute("property") == other
+    assert decorator.GetAttribute("value") == str(value)
+    assert decorator.GetAttribute("inverse") == ("1" if is_hidden else None)
 
 # In ParaView the custom bounds begin as those of the input.
 sphere = simple.Sphere(Radius=5.0, Center=[1.0, 2.0, 3.0], ThetaResolution=64, PhiResolution=64)

@@ -35,6 +35,13 @@ view, shown = show(0)
 assert view.GetXMLName() == "RenderView", view.GetXMLName()
 assert list(shown.ColorArrayName) == ["CELLS", "Depth"], shown.ColorArrayName
 
+# A hyper tree grid is drawn as cells are, also where these were before.
+of_grid = simple.HashedOctree(Input=octree.Input, OutputType="HyperTreeGrid")
+of_grid.UpdatePipeline()
+view, shown = show(0, of_grid)
+assert view.GetXMLName() == "RenderView", view.GetXMLName()
+assert list(shown.ColorArrayName) == ["CELLS", "Depth"], shown.ColorArrayName
+
 view, shown = show(2)
 assert view.GetXMLName() == "HashedOctreeCostCurvesView", view.GetXMLName()
 assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OctreeHyperTree.h"
+
+#include "NodeArrays.h"
+
+#include "vtkBitArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkHyperTree.h"
+#include "vtkNew.h"
+
+namespace hashedoctree
+{
+namespace
+{
+constexpr std::size_t ListChunk = 512;     // Internal nodes that a thread does at a time,
+constexpr std::size_t TreeBatch = 1 << 16; // and between two reports of progress.
+
+/** Where VTK has an octant among its siblings: with the bits of the axes turned around. */
+template <int Dim>
+unsigned GetPlaceOfOctant(unsigned octant)
+{
+  unsigned place = 0;
+  for (int axis = 0; axis < Dim; ++axis)
+  {
+    place |= (octant >> axis & 1U) << (Dim - 1 - axis);
+  }
+  return place;
+}
+
+/** The vertex that stands for a child of an internal node, by the number of that. */
+template <int Dim>
+std::size_t GetVertex(std::size_t block, unsigned octant)
+{
+  return 1 + Octree<Dim>::NumberOfOctants * block + GetPlaceOfOctant<Dim>(octant);
+}
+
+/** All nodes in the order of the vertices. */
+template <int Dim>
+Buffer<typename Octree<Dim>::Node> ListVertices(const Octree<Dim>& tree, const Execution& execution)
+{
+  const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
+  Buffer<typename Octree<Dim>::Node> nodes(tree.GetNumberOfNodes());
+  nodes[0] = tree.GetRoot();
+  execution.For(numberOfBlocks, ListChunk,
+    [&](std::size_t first, std::size_t last)
+    {
+      for (std::size_t block = first; block < last; ++block)
+      {
+        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+        {
+          nodes[GetVertex<Dim>(block, octant)] = tree.GetChild(block, octant);
+        }
+      }
+    });
+  return nodes;
+}
+
+/** The root as the only cell of the grid. */
+template <int Dim>
+void PlaceRoot(const Octree<Dim>& tree, const TreeFrame<Dim>& frame, vtkHyperTreeGrid* output)
+{
+  Cell<Dim> corner;
+  double lower[3];
+  double upper[3];
+  corner.fill(0);
+  frame.GetCorner(tree.GetGrid(), corner, lower);
+  corner.fill(static_cast<std::uint32_t>(MortonKey<Dim>::CellsPerSide));
+  frame.GetCorner(tree.GetGrid(), corner, upper);
+
+  unsigned dimensions[3] = { 1, 1, 1 };
+  for (const int axis : frame.GetAxes())
+  {
+    dimensions[axis] = 2;
+  }
+  vtkNew<vtkDoubleArray> coordinates[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    coordinates[axis]->InsertNextValue(lower[axis]);
+    if (dimensions[axis] == 2)
+    {
+      coordinates[axis]->InsertNextValue(upper[axis]);
+    }
+  }
+  output->SetBranchFactor(2);
+  output->SetDimensions(dimensions);
+  output->SetXCoordinates(coordinates[0]);
+  output->SetYCoordinates(coordinates[1]);
+  output->SetZCoordinates(coordinates[2]);
+}
+
+/** Splits the root and what comes of it: each internal node in its turn, so that its children have
+ * the numbers of GetVertex(). */
+template <int Dim>
+void Subdivide(const Octree<Dim>& tree, vtkHyperTree* hyperTree, const Execution& execution)
+{
+  const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
+  if (numberOfBlocks > 0)
+  {
+    hyperTree->SubdivideLeaf(0, 0);
+  }
+  for (std::size_t first = 0; first < numberOfBlocks; first += TreeBatch)
+  {
+    const std::size_t last = std::min(numberOfBlocks, first + TreeBatch);
+    for (std::size_t block = first; block < last; ++block)
+    {
+      const int depth = tree.GetBlockKey(block).GetDepth() + 1;
+      for (unsigned rest = tree.GetOctants(block).Internal; rest != 0; rest &= rest - 1)
+      {
+        const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
+        hyperTree->SubdivideLeaf(
+          static_cast<vtkIdType>(GetVertex<Dim>(block, octant)), static_cast<unsigned>(depth));
+      }
+    }
+    execution.Tell(static_cast<double>(last) / static_cast<double>(numberOfBlocks));
+  }
+}
+
+/** Masks the leaves without points. */
+template <typename Nodes>
+void MaskEmptyLeaves(const Nodes& nodes, vtkHyperTreeGrid* output, const Execution& execution)
+{
+  vtkNew<vtkBitArray> mask;
+  mask->SetNumberOfTuples(static_cast<vtkIdType>(nodes.GetSize()));
+  for (std::size_t first = 0; first < nodes.GetSize(); first += TreeBatch)
+  {
+    const std::size_t last = std::min(nodes.GetSize(), first + TreeBatch);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      mask->SetValue(static_cast<vtkIdType>(i), nodes[i].IsEmpty() ? 1 : 0);
+    }
+    execution.Tell(static_cast<double>(last) / static_cast<double>(nodes.GetSize()));
+  }
+  output->SetMask(mask);
+}
+}
+
+template <int Dim>
+void FillHyperTreeGrid(const Octree<Dim>& tree, int startDepth, const TreeFrame<Dim>& frame,
+  bool showsEmptyLeaves, vtkHyperTreeGrid* output, const Execution& execution)
+{
+  RequireHyperTreeVertices(tree.GetNumberOfNodes());
+  const auto nodes = ListVertices(tree, execution.Part(0.0, 0.1));
+  AddNodeArrays(tree, startDepth, nodes, output->GetCellData(), execution.Part(0.1, 0.7));
+  if (!showsEmptyLeaves && tree.GetNumberOfEmptyLeaves() > 0)
+  {
+    MaskEmptyLeaves(nodes, output, execution.Part(0.7, 0.8));
+  }
+  PlaceRoot(tree, frame, output);
+  vtkHyperTree* hyperTree = output->GetTree(0, /*create=*/true);
+  hyperTree->SetGlobalIndexStart(0);
+  Subdivide(tree, hyperTree, execution.Part(0.8, 1.0));
+}
+
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template void FillHyperTreeGrid(                                                                 \
+    const Octree<Dim>&, int, const TreeFrame<Dim>&, bool, vtkHyperTreeGrid*, const Execution&);
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+#undef HASHEDOCTREE_INSTANTIATE
+}

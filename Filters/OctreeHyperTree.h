@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OctreeHyperTree_h
+#define OctreeHyperTree_h
+
+#include "Octree.h"
+#include "TreeFrame.h"
+
+#include "vtkHyperTreeGrid.h"
+
+#include <limits>
+#include <stdexcept>
+
+namespace hashedoctree
+{
+/** VTK numbers the vertices of a hyper tree by 32 bits, and the last number says that there is
+ * none.
+ */
+constexpr std::size_t MaxNumberOfHyperTreeVertices = std::numeric_limits<std::uint32_t>::max();
+
+/** Throws std::length_error, with what to tell the user, for more nodes than can be vertices. */
+inline void RequireHyperTreeVertices(std::size_t nodes)
+{
+  if (nodes > MaxNumberOfHyperTreeVertices)
+  {
+    throw std::length_error("The tree has more nodes than a vtkHyperTreeGrid can; choose Voxels or "
+                            "Outlines, or allow more points per leaf or less depth.");
+  }
+}
+
+/**
+ * An octree or quadtree as a vtkHyperTreeGrid with a single tree, whose vertices are all of its
+ * nodes, with the arrays of AddNodeArrays() for searches from `startDepth`. Vertex 0 is the root;
+ * the children of the internal nodes follow in the order of these, by depth, then by key, of each
+ * in VTK's own order, in which the first axis is the low bit. Leaves without points are masked
+ * unless they are shown. O(nodes); the tree itself on one thread. Throws Interrupted, and
+ * std::length_error for too many nodes; the grid must then be emptied. Instantiated for 2 and 3
+ * dimensions. Private to the module.
+ */
+template <int Dim>
+void FillHyperTreeGrid(const Octree<Dim>& tree, int startDepth, const TreeFrame<Dim>& frame,
+  bool showsEmptyLeaves, vtkHyperTreeGrid* output, const Execution& execution);
+}
+
+#endif
