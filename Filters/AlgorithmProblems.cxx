@@ -12,14 +12,12 @@
 
 namespace hashedoctree
 {
-int RunReportingProblems(
-  vtkAlgorithm* algorithm, vtkInformationVector* outputVector, const std::function<void()>& body)
+int ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
 {
   std::string problem;
   try
   {
-    body();
-    return 1;
+    throw;
   }
   catch (const Interrupted&)
   {
