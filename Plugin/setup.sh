@@ -10,6 +10,7 @@
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+[[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 # Debian's tools first: a cmake or python3 from elsewhere does not fit Debian's ParaView.
 PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"
 
