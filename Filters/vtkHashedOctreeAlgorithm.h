@@ -10,11 +10,11 @@
  * vtkPointSets, as images, are left out with one warning; it is an error if there are no others
  * with points. Abstract.
  *
- * The tree is an octree or, of points in a plane, a quadtree: a square in two of the coordinates,
- * split into four. Its cells lie in the plane through the lowest third coordinate of the points
- * that take part (of the custom bounds, where the filter has them and uses them); nothing else
- * comes of the third coordinate, but that a point where it is not finite is left out as in an
- * octree. Each block of a composite data set, and each piece of a distributed one, has the
+ * The tree is an octree or, of points in a plane across an axis, a quadtree: a square in two of the
+ * coordinates, split into four. Its cells lie in the plane through the lowest third coordinate of
+ * the points that take part (of the custom bounds, where the filter has them and uses them); the
+ * third coordinate has no other effect, but that a point where it is not finite is left out as in
+ * an octree. Each block of a composite data set, and each piece of a distributed one, has the
  * dimension and the plane that its own points ask for; set Dimension and Plane to have one of all.
  */
 

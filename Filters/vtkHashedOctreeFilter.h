@@ -6,11 +6,11 @@
  * Builds the octree of the input's points: a cube is split into eight while it holds more than
  * MaxPointsPerLeaf points, down to MaxDepth. The root is the cube at the lower corner of the
  * points' bounds (or of CustomBounds) whose side is their largest extent, 1 if all points coincide.
- * Of points in a plane it is a quadtree, with squares for cubes: see vtkHashedOctreeAlgorithm.
- * Any node of a hashed octree can be reached directly by position and depth, so that a search need
- * not begin at the root: it begins at a start depth estimated from the depths of the leaves, and
- * their weighted median examines the fewest nodes ("Statistical optimization of octree searches",
- * Castro, Lewiner, Lopes, Tavares, Bordignon, 2008).
+ * Of points in a plane across an axis it is a quadtree, with squares for cubes: see
+ * vtkHashedOctreeAlgorithm. Any node of a hashed octree can be reached directly by position and
+ * depth, so that a search need not begin at the root: it begins at a start depth estimated from the
+ * depths of the leaves, and their weighted median examines the fewest nodes ("Statistical
+ * optimization of octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008).
  *
  * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block. Outputs
  * are then composite data sets of its structure: port 0 of its kind, the tables in a
