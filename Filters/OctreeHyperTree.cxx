@@ -4,16 +4,20 @@
 #include "NodeArrays.h"
 
 #include "vtkBitArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkHyperTree.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
 
 namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t ListChunk = 512;     // Internal nodes that a thread does at a time,
-constexpr std::size_t TreeBatch = 1 << 16; // and between two reports of progress.
+constexpr std::size_t ListChunk = 512;     // Internal nodes that a thread lists at a time.
+constexpr std::size_t TreeBatch = 1 << 16; // Nodes between two reports of progress.
 
 /** Where VTK has an octant among its siblings: with the bits of the axes turned around. */
 template <int Dim>
@@ -27,9 +31,9 @@ unsigned GetPlaceOfOctant(unsigned octant)
   return place;
 }
 
-/** The vertex that stands for a child of an internal node, by the number of that. */
+/** The vertex of the child in an octant of an internal node. */
 template <int Dim>
-std::size_t GetVertex(std::size_t block, unsigned octant)
+std::size_t GetChildVertex(std::size_t block, unsigned octant)
 {
   return 1 + Octree<Dim>::NumberOfOctants * block + GetPlaceOfOctant<Dim>(octant);
 }
@@ -48,7 +52,7 @@ Buffer<typename Octree<Dim>::Node> ListVertices(const Octree<Dim>& tree, const E
       {
         for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
         {
-          nodes[GetVertex<Dim>(block, octant)] = tree.GetChild(block, octant);
+          nodes[GetChildVertex<Dim>(block, octant)] = tree.GetChild(block, octant);
         }
       }
     });
@@ -89,7 +93,7 @@ void PlaceRoot(const Octree<Dim>& tree, const TreeFrame<Dim>& frame, vtkHyperTre
 }
 
 /** Splits the root and what comes of it: each internal node in its turn, so that its children have
- * the numbers of GetVertex(). */
+ * the numbers of GetChildVertex(). */
 template <int Dim>
 void Subdivide(const Octree<Dim>& tree, vtkHyperTree* hyperTree, const Execution& execution)
 {
@@ -108,7 +112,7 @@ void Subdivide(const Octree<Dim>& tree, vtkHyperTree* hyperTree, const Execution
       {
         const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
         hyperTree->SubdivideLeaf(
-          static_cast<vtkIdType>(GetVertex<Dim>(block, octant)), static_cast<unsigned>(depth));
+          static_cast<vtkIdType>(GetChildVertex<Dim>(block, octant)), static_cast<unsigned>(depth));
       }
     }
     execution.Tell(static_cast<double>(last) / static_cast<double>(numberOfBlocks));
@@ -132,6 +136,19 @@ void MaskEmptyLeaves(const Nodes& nodes, vtkHyperTreeGrid* output, const Executi
   }
   output->SetMask(mask);
 }
+
+/** The arrays of all vertices, and the mask. */
+template <int Dim>
+void DescribeVertices(const Octree<Dim>& tree, int startDepth, bool showsEmptyLeaves,
+  vtkHyperTreeGrid* output, const Execution& execution)
+{
+  const auto nodes = ListVertices(tree, execution.Part(0.0, 0.1));
+  AddNodeArrays(tree, startDepth, nodes, output->GetCellData(), execution.Part(0.1, 0.8));
+  if (!showsEmptyLeaves && tree.GetNumberOfEmptyLeaves() > 0)
+  {
+    MaskEmptyLeaves(nodes, output, execution.Part(0.8, 1.0));
+  }
+}
 }
 
 template <int Dim>
@@ -139,16 +156,26 @@ void FillHyperTreeGrid(const Octree<Dim>& tree, int startDepth, const TreeFrame<
   bool showsEmptyLeaves, vtkHyperTreeGrid* output, const Execution& execution)
 {
   RequireHyperTreeVertices(tree.GetNumberOfNodes());
-  const auto nodes = ListVertices(tree, execution.Part(0.0, 0.1));
-  AddNodeArrays(tree, startDepth, nodes, output->GetCellData(), execution.Part(0.1, 0.7));
-  if (!showsEmptyLeaves && tree.GetNumberOfEmptyLeaves() > 0)
-  {
-    MaskEmptyLeaves(nodes, output, execution.Part(0.7, 0.8));
-  }
+  DescribeVertices(tree, startDepth, showsEmptyLeaves, output, execution.Part(0.0, 0.8));
   PlaceRoot(tree, frame, output);
   vtkHyperTree* hyperTree = output->GetTree(0, /*create=*/true);
   hyperTree->SetGlobalIndexStart(0);
   Subdivide(tree, hyperTree, execution.Part(0.8, 1.0));
+}
+
+void HandOver(vtkDataObject* from, vtkDataObject* to)
+{
+  auto* grid = vtkHyperTreeGrid::SafeDownCast(from);
+  const vtkSmartPointer<vtkBitArray> mask = grid != nullptr ? grid->GetMask() : nullptr;
+  if (mask)
+  {
+    grid->SetMask(nullptr);
+  }
+  to->ShallowCopy(from);
+  if (mask)
+  {
+    vtkHyperTreeGrid::SafeDownCast(to)->SetMask(mask);
+  }
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

@@ -7,6 +7,8 @@
 
 #include "vtkHyperTreeGrid.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -39,6 +41,11 @@ inline void RequireHyperTreeVertices(std::size_t nodes)
 template <int Dim>
 void FillHyperTreeGrid(const Octree<Dim>& tree, int startDepth, const TreeFrame<Dim>& frame,
   bool showsEmptyLeaves, vtkHyperTreeGrid* output, const Execution& execution);
+
+/** Gives what a data object holds to another of its type. As ShallowCopy(), but that a hyper tree
+ * grid loses its mask to the other: to copy one that has a mask VTK visits all of its nodes, for
+ * seconds and heeding no abort. (Whoever copies the other next has that to wait for.) */
+void HandOver(vtkDataObject* from, vtkDataObject* to);
 }
 
 #endif

@@ -4,15 +4,14 @@
 #include "AlgorithmExecution.h"
 #include "AlgorithmOptions.h"
 #include "BlockStructure.h"
+#include "OctreeHyperTree.h"
 #include "PassFieldData.h"
 #include "PointsAdaptor.h"
 #include "QuadtreeFrame.h"
 #include "SkippedPoints.h"
 
-#include "vtkBitArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointSet.h"
@@ -40,23 +39,6 @@ PointsOctree<Dim> BuildInFrame(const TreeFrame<Dim>& frame, PointSpan<3, Real> p
              PointSelection<Dim>(selection, frame.GetAxes()), GetTreeOptions<Dim>(algorithm),
              execution),
     frame, selection.GetNumberOfSkippedPoints(), selection.GetNumberOfOutsidePoints() };
-}
-
-/** Gives what a data object holds to another of its type. The mask of a hyper tree grid goes by
- * itself: to copy one that has a mask VTK visits all of its nodes, and heeds no abort. */
-void HandOver(vtkDataObject* from, vtkDataObject* to)
-{
-  auto* grid = vtkHyperTreeGrid::SafeDownCast(from);
-  const vtkSmartPointer<vtkBitArray> mask = grid != nullptr ? grid->GetMask() : nullptr;
-  if (mask)
-  {
-    grid->SetMask(nullptr);
-  }
-  to->ShallowCopy(from);
-  if (mask)
-  {
-    vtkHyperTreeGrid::SafeDownCast(to)->SetMask(mask);
-  }
 }
 }
 

@@ -33,9 +33,10 @@ namespace
 {
 constexpr int NumberOfOutputs = 3;
 
-/** Share of the progress of one tree where measuring ends. The rest is for its nodes, */
+/** Where measuring ends in the progress of one tree; the rest is for its nodes. */
 constexpr double MeasuringShare = 0.6;
-constexpr double ListShare = 0.1; ///< and of that, for the list of those that are cells.
+/** Where listing them ends in the progress of nodes that become cells. */
+constexpr double ListShareOfNodes = 0.1;
 }
 
 /** What one run of RequestData makes of each tree. */
@@ -84,9 +85,9 @@ private:
     }
     const auto listed =
       ListNodes(octree.Tree, NodeListOptions{ showsEmptyLeaves, this->Self->IncludeInternalNodes },
-        execution.Part(0.0, ListShare));
+        execution.Part(0.0, ListShareOfNodes));
     const OctreeCells<Dim> cells(octree.Tree, startDepth, listed, octree.Frame);
-    const Execution cellsExecution = execution.Part(ListShare, 1.0);
+    const Execution cellsExecution = execution.Part(ListShareOfNodes, 1.0);
     if (this->Self->OutputType == Outlines)
     {
       const auto outlines = vtkSmartPointer<vtkPolyData>::New();
@@ -149,8 +150,19 @@ vtkHashedOctreeFilter::vtkHashedOctreeFilter()
 
 int vtkHashedOctreeFilter::GetTypeOfOutput(int port, vtkInformationVector** vtkNotUsed(inputVector))
 {
-  constexpr int types[] = { VTK_UNSTRUCTURED_GRID, VTK_POLY_DATA, VTK_HYPER_TREE_GRID };
-  return port == 0 ? types[this->OutputType] : VTK_TABLE;
+  if (port != 0)
+  {
+    return VTK_TABLE;
+  }
+  switch (this->OutputType)
+  {
+    case Outlines:
+      return VTK_POLY_DATA;
+    case HyperTreeGrid:
+      return VTK_HYPER_TREE_GRID;
+    default:
+      return VTK_UNSTRUCTURED_GRID;
+  }
 }
 
 int vtkHashedOctreeFilter::RequestData(

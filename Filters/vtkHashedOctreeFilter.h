@@ -59,7 +59,9 @@
  * reset it before the next update). Points with the same cell at MaxDepth share a leaf, however
  * many they are. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
  * internal nodes. Of a distributed data set every process makes the tree of its own piece; give
- * CustomBounds for one grid, by which all of them also have the same dimension and plane.
+ * CustomBounds for one grid, by which all of them also have the same dimension and plane. A hyper
+ * tree grid is then one for each process, too, and not a piece of a whole, so that VTK's generator
+ * of ghost cells, which takes it for one, waits for ever.
  */
 
 #ifndef vtkHashedOctreeFilter_h

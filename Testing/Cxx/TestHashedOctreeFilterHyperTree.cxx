@@ -3,6 +3,7 @@
 #include "PlanarPoints.h"
 #include "PointSamples.h"
 #include "SameOutputs.h"
+#include "Sanitized.h"
 #include "StopAt.h"
 #include "TestedFilter.h"
 
@@ -156,6 +157,13 @@ TEST(TestHashedOctreeFilterHyperTree, HasTheNodesOfAnOctree)
   }
 }
 
+TEST(TestHashedOctreeFilterHyperTree, HasTheNodesOfALargeOctree)
+{
+  // More internal nodes than are split between two reports of progress.
+  TestedFilter filter(MakeUniformPoints<3, double>(Sanitized ? 5000 : 150000, 6));
+  UpdateAndExpectNodes(filter);
+}
+
 TEST(TestHashedOctreeFilterHyperTree, HasTheNodesOfAQuadtreeInItsPlane)
 {
   for (const SpacePlane& plane : AllPlanes)
@@ -198,6 +206,8 @@ TEST(TestHashedOctreeFilterHyperTree, IsTakenByTheFiltersOfVtk)
     filter->SetOutputType(Filter::Voxels);
     filter.Update();
     const vtkIdType cells = filter.GetCells()->GetNumberOfCells();
+    double bounds[6];
+    filter.GetCells()->GetBounds(bounds);
     vtkNew<vtkHyperTreeGridToUnstructuredGrid> leaves;
     leaves->SetInputData(UpdateGrid(filter));
     leaves->Update();
@@ -205,7 +215,10 @@ TEST(TestHashedOctreeFilterHyperTree, IsTakenByTheFiltersOfVtk)
     vtkNew<vtkHyperTreeGridGeometry> surface;
     surface->SetInputData(GetGrid(filter));
     surface->Update();
-    EXPECT_GT(surface->GetOutput()->GetNumberOfElements(vtkDataObject::CELL), 0);
+    for (int i = 0; i < 6; ++i)
+    {
+      EXPECT_NEAR(surface->GetPolyDataOutput()->GetBounds()[i], bounds[i], 1e-6);
+    }
   }
 }
 

@@ -27,11 +27,20 @@ def run(source, cell_type, **properties):
     return points, cells.GetNumberOfCells(), histogram.GetNumberOfRows(), costs.GetNumberOfRows()
 
 
+def leaves_in_grid(source):
+    """Number of leaves with points in this process's hyper tree grid."""
+    octree = simple.HashedOctree(Input=source, OutputType="HyperTreeGrid")
+    leaves = simple.HyperTreeGridToUnstructuredGrid(Input=octree)
+    leaves.UpdatePipeline()
+    return leaves.GetClientSideObject().GetOutputDataObject(0).GetNumberOfCells()
+
+
 # A source that every process makes its part of: each has a tree of its own points.
 sphere = simple.Sphere(ThetaResolution=64, PhiResolution=64)
 points, cells, rows, cost_rows = run(sphere, VTK_VOXEL)
 assert 0 < points < 64 * 62
 assert 0 < cells <= points and rows == cost_rows > 1, (rank, points, cells, rows)
+assert leaves_in_grid(sphere) == cells
 points, cells, rows, cost_rows = run(sphere, VTK_PIXEL, Dimension="Two", Plane="XY")
 assert 0 < cells <= points and rows == cost_rows > 1, (rank, points, cells, rows)
 
@@ -40,7 +49,9 @@ if rank == 0:
     path, number_of_points = write_sphere()
 controller.Barrier()
 path = os.path.join(argument("-T"), "sphere.vtp")
-points, cells, rows, cost_rows = run(simple.XMLPolyDataReader(FileName=[path]), VTK_VOXEL)
+reader = simple.XMLPolyDataReader(FileName=[path])
+points, cells, rows, cost_rows = run(reader, VTK_VOXEL)
+assert leaves_in_grid(reader) == cells
 if rank == 0:
     assert cells == points == number_of_points and rows == cost_rows > 1, (cells, points, rows)
 else:
