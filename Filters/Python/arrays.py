@@ -5,9 +5,14 @@ Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read wh
 arrays (whether a value is masked or not), also as rows of a list, and what is no real number
 (complex numbers, strings, dates, None), also in arrays of objects, are a TypeError. Results are
 views of the memory that the search filled, nothing is copied: ids are int64, squared distances
-float64. The searches run on the threads of vtkSMPTools. A batch that could not be done (not enough
-memory, or stopped by AbortBatch()) is a RuntimeError. Python's other threads wait while a batch
-runs, so that only an observer of its ProgressEvent can stop it from Python.
+float64. A batch that could not be done is a RuntimeError that says why: not enough memory, or
+stopped by AbortBatch(). One position at a time is faster searched for by the locator's own methods,
+which take NumPy rows.
+
+The searches run on the threads of vtkSMPTools. Python's other threads, and Ctrl-C, wait until a
+batch is done: give the positions in parts to be heard sooner. Only an observer of ProgressEvent can
+stop a batch from Python; VTK wants it added in the thread that runs the batch, and ends the program
+on Ctrl-C while one is called.
 """
 from decimal import Decimal
 from numbers import Real
@@ -21,8 +26,10 @@ __all__ = ["make_points", "find_closest_points", "find_closest_n_points", "find_
 
 
 def make_points(positions):
-    """A vtkPolyData with these points and no cells, to give to SetDataSet(). It views the array,
-    which must not change while the locator is in use."""
+    """A vtkPolyData with these points and no cells, to give to SetDataSet(). It views an array of
+    float32 or float64 in C order, and copies any other. The locator has a copy of its own from its
+    first query on: after a change of a viewed array call GetPoints().Modified() of the vtkPolyData,
+    of any other make new points."""
     points = vtkPoints()
     points.SetData(_view(positions))
     data = vtkPolyData()
@@ -34,7 +41,7 @@ def find_closest_points(locator, positions):
     """The point closest to each position: ids and squared distances, both of shape (m,); -1 and
     infinity where there is none."""
     ids, dist2 = vtkIdTypeArray(), vtkDoubleArray()
-    _check(locator.FindClosestPoints(_view(positions), ids, dist2))
+    _run(locator, locator.FindClosestPoints, _view(positions), ids, dist2)
     return vtk_to_numpy(ids), vtk_to_numpy(dist2)
 
 
@@ -43,16 +50,20 @@ def find_closest_n_points(locator, count, positions):
     distances, both of shape (m, count); -1 and infinity where there are fewer."""
     ids, dist2 = vtkIdTypeArray(), vtkDoubleArray()
     view = _view(positions)
-    _check(locator.FindClosestNPoints(count, view, ids, dist2))
+    _run(locator, locator.FindClosestNPoints, count, view, ids, dist2)
     shape = (view.GetNumberOfTuples(), max(count, 0))
     return vtk_to_numpy(ids).reshape(shape), vtk_to_numpy(dist2).reshape(shape)
 
 
 def find_points_within_radius(locator, radius, positions):
     """The points within a radius of each position, by distance, then by id: offsets of shape
-    (m + 1,), ids and squared distances. Those of position i are ids[offsets[i]:offsets[i + 1]]."""
+    (m + 1,), ids and squared distances. Those of position i are ids[offsets[i]:offsets[i + 1]].
+    Takes up to 32 bytes for each point found while it runs, 16 afterwards."""
+    number = numpy.asarray(radius)
+    if number.size != 1 or number.dtype.kind not in "biuf":
+        raise TypeError(f"radius must be one real number for all positions, not {radius!r}")
     offsets, ids, dist2 = vtkIdTypeArray(), vtkIdTypeArray(), vtkDoubleArray()
-    _check(locator.FindPointsWithinRadius(radius, _view(positions), offsets, ids, dist2))
+    _run(locator, locator.FindPointsWithinRadius, number.item(), _view(positions), offsets, ids, dist2)
     return vtk_to_numpy(offsets), vtk_to_numpy(ids), vtk_to_numpy(dist2)
 
 
@@ -61,7 +72,7 @@ def _view(positions):
     rows = positions if isinstance(positions, (list, tuple)) else ()
     if any(map(numpy.ma.isMaskedArray, (positions, *rows))):
         raise TypeError("positions must not be a masked array; give the values that count")
-    positions = numpy.ascontiguousarray(positions)
+    positions = numpy.asarray(positions, order="C")
     if positions.dtype.kind not in "biufO":
         raise TypeError(f"positions must be real numbers, not {positions.dtype}")
     if positions.dtype.kind == "O":
@@ -69,12 +80,24 @@ def _view(positions):
             if not isinstance(value, (Real, Decimal, numpy.bool_)):
                 raise TypeError(f"positions must be real numbers, not {value!r}")
     if positions.ndim != 2 or positions.shape[1] != 3:
-        raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}")
+        raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}; one alone is [x]")
     if positions.dtype not in (numpy.float32, numpy.float64):
         positions = positions.astype(numpy.float64)
     return numpy_to_vtk(positions)
 
 
-def _check(done):
+def _run(locator, search, *arguments):
+    """Runs a batch; what the locator says of its errors is in the exception, and not printed."""
+    errors = []
+
+    def add_error(_locator, _event, text):
+        errors.append(text.split("): ", 1)[-1].strip())
+
+    add_error.CallDataType = "string0"
+    observer = locator.AddObserver("ErrorEvent", add_error)
+    try:
+        done = search(*arguments)
+    finally:
+        locator.RemoveObserver(observer)
     if not done:
-        raise RuntimeError("the batch of searches was not done: it was stopped, or the locator had an error")
+        raise RuntimeError(" ".join(errors) or "The batch of searches was stopped by AbortBatch().")

@@ -12,10 +12,11 @@ from hashedoctree.arrays import (
 random = numpy.random.default_rng(201)
 
 
-def expect_error(kind, function, *arguments):
+def expect_error(kind, function, *arguments, words=""):
     try:
         function(*arguments)
-    except kind:
+    except kind as error:
+        assert words in str(error), error
         return
     raise AssertionError(f"no {kind.__name__}")
 
@@ -84,7 +85,8 @@ ids, dist2 = find_closest_n_points(locator, 2, numpy.zeros((3, 3)))
 assert (ids == -1).all() and numpy.isinf(dist2).all()
 assert find_closest_n_points(locator, 0, numpy.zeros((3, 3)))[0].shape == (3, 0)
 assert find_closest_points(locator, numpy.zeros((0, 3)))[0].shape == (0,)
-expect_error(ValueError, find_closest_points, locator, numpy.zeros(3))
+expect_error(ValueError, find_closest_points, locator, numpy.zeros(3), words="one alone is [x]")
+expect_error(ValueError, find_closest_points, locator, 5.0, words="not ()")
 expect_error(ValueError, find_closest_points, locator, numpy.zeros((4, 2)))
 expect_error(TypeError, find_closest_points, locator, numpy.zeros((4, 3), dtype=complex))
 expect_error(TypeError, find_closest_points, locator, numpy.ma.masked_less(numpy.zeros((4, 3)), 1))
@@ -101,6 +103,32 @@ ids, dist2 = find_closest_points(
 assert (ids, dist2) == find_closest_points(locator, [[0.5, 0.5, 0.5]]), (ids, dist2)
 truths = numpy.array([[True, numpy.True_, numpy.False_]], dtype=object)
 assert find_closest_points(locator, truths) == find_closest_points(locator, [[1.0, 1.0, 0.0]])
+for radius in (numpy.array([0.5]), numpy.float32(0.5), numpy.int8(1), True, 0.5):
+    assert find_points_within_radius(locator, radius, numpy.zeros((2, 3)))[0].shape == (3,)
+for radius in (numpy.zeros(2), [], "0.5", None, 1j):
+    expect_error(TypeError, find_points_within_radius, locator, radius, numpy.zeros((2, 3)),
+                 words="radius must be one real number")
+
+# Points that change: a viewed array, which the locator is told of, and one that is copied.
+moving = numpy.zeros((5, 3))
+data = make_points(moving)
+copied = numpy.zeros((5, 3), dtype=int)
+copy = make_points(copied)
+locator.SetDataSet(data)
+assert find_closest_points(locator, [[0, 0, 0]])[1] == 0.0
+moving += 1.0
+copied += 1
+data.GetPoints().Modified()
+copy.GetPoints().Modified()
+assert find_closest_points(locator, [[0, 0, 0]])[1] == 3.0
+locator.SetDataSet(copy)
+assert find_closest_points(locator, [[0, 0, 0]])[1] == 0.0
+
+# What went wrong is in the exception.
+expect_error(RuntimeError, find_closest_n_points, locator, 2**31 - 1, numpy.zeros((2**20, 3)),
+             words="There is not enough memory for what the batch finds")
+assert not locator.HasObserver("ErrorEvent")
 locator.SetDataSet(make_points(random.random((100000, 3))))
 locator.AddObserver("ProgressEvent", lambda caller, event: caller.AbortBatch())
-expect_error(RuntimeError, find_closest_points, locator, random.random((100000, 3)))
+expect_error(RuntimeError, find_closest_points, locator, random.random((100000, 3)),
+             words="stopped by AbortBatch()")
