@@ -14,9 +14,7 @@
 
 namespace hashedoctree
 {
-/** VTK numbers the vertices of a hyper tree by 32 bits, and the last number says that there is
- * none.
- */
+/** VTK numbers the vertices of a hyper tree by 32 bits; the last number stands for none. */
 constexpr std::size_t MaxNumberOfHyperTreeVertices = std::numeric_limits<std::uint32_t>::max();
 
 /** Throws std::length_error, with what to tell the user, for more nodes than can be vertices. */
