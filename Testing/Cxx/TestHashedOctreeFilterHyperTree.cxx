@@ -42,8 +42,7 @@ vtkHyperTreeGrid* UpdateGrid(TestedFilter& filter)
 /** GetNumberOfCells(), which VTK has from 9.2 on. */
 vtkIdType GetNumberOfNodes(vtkHyperTreeGrid* grid)
 {
-  const vtkHyperTree* tree = grid->GetTree(0);
-  return tree != nullptr ? tree->GetNumberOfVertices() : 0;
+  return grid->GetNumberOfElements(vtkDataObject::CELL);
 }
 
 /** All nodes of the tree of an input as voxels or pixels, found by their keys. */
