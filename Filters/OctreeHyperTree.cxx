@@ -17,7 +17,7 @@ namespace hashedoctree
 namespace
 {
 constexpr std::size_t ListChunk = 512;     // Internal nodes that a thread lists at a time.
-constexpr std::size_t TreeBatch = 1 << 16; // Nodes between two reports of progress.
+constexpr std::size_t TreeBatch = 1 << 15; // Nodes between two reports of progress.
 
 /** Where VTK has an octant among its siblings: with the bits of the axes turned around. */
 template <int Dim>

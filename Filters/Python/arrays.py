@@ -99,5 +99,5 @@ def _run(locator, search, *arguments):
         done = search(*arguments)
     finally:
         locator.RemoveObserver(observer)
-    if errors or not done:
+    if not done:
         raise RuntimeError(" ".join(errors) or "The batch of searches was stopped by AbortBatch().")
