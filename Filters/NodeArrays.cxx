@@ -36,26 +36,19 @@ void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   const auto rootCosts = MakeArray<vtkIntArray>("RootCost", size);
   const auto pointCounts = MakeArray<vtkIdTypeArray>("PointCount", size);
   const auto keys = MakeArray<vtkTypeUInt64Array>("MortonKey", size);
-  const auto describe = [&](std::size_t i)
-  {
-    const typename Octree<Dim>::Node& node = nodes[i];
-    const MortonKey<Dim> key = node.NodeKey.GetFirstAtMaxDepth();
-    const auto cost = [&](int from)
-    { return node.Internal ? 0 : static_cast<int>(CountExaminedNodes(tree, key, from)); };
-    const auto id = static_cast<vtkIdType>(i);
-    depths->SetValue(id, node.NodeKey.GetDepth());
-    hitCosts->SetValue(id, cost(startDepth));
-    rootCosts->SetValue(id, cost(0));
-    pointCounts->SetValue(id, node.GetNumberOfPoints());
-    keys->SetValue(id, node.NodeKey.GetValue());
-  };
-  execution.For(size, NodesOfPart,
-    [&describe](std::size_t first, std::size_t last)
+  execution.ForEach(size, NodesOfPart,
+    [&](std::size_t i)
     {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        describe(i);
-      }
+      const typename Octree<Dim>::Node& node = nodes[i];
+      const MortonKey<Dim> key = node.NodeKey.GetFirstAtMaxDepth();
+      const auto cost = [&](int from)
+      { return node.Internal ? 0 : static_cast<int>(CountExaminedNodes(tree, key, from)); };
+      const auto id = static_cast<vtkIdType>(i);
+      depths->SetValue(id, node.NodeKey.GetDepth());
+      hitCosts->SetValue(id, cost(startDepth));
+      rootCosts->SetValue(id, cost(0));
+      pointCounts->SetValue(id, node.GetNumberOfPoints());
+      keys->SetValue(id, node.NodeKey.GetValue());
     });
   cellData->AddArray(depths);
   cellData->AddArray(hitCosts);

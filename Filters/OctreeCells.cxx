@@ -26,20 +26,6 @@ constexpr std::size_t Grain = 512; // Nodes or corners that a thread does at a t
 /** Below so many nodes, all ids of their cells fit into 32 bits and take half the memory. */
 constexpr std::size_t NodesWithLongIds = std::size_t(1) << 27;
 
-/** Calls function(i) for each i below count, on all threads. */
-template <typename Function>
-void ForEach(std::size_t count, const Execution& execution, const Function& function)
-{
-  execution.For(count, Grain,
-    [&function](std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        function(i);
-      }
-    });
-}
-
 template <int Dim>
 vtkNew<vtkPoints> MakePoints(const Grid<Dim>& grid, const TreeFrame<Dim>& frame,
   const NodeCorners<Dim>& corners, const Execution& execution)
@@ -48,7 +34,7 @@ vtkNew<vtkPoints> MakePoints(const Grid<Dim>& grid, const TreeFrame<Dim>& frame,
   coordinates->SetNumberOfComponents(3);
   ResizeArray(coordinates.Get(), 3 * corners.GetNumberOfCorners());
   double* x = coordinates->GetPointer(0);
-  ForEach(corners.GetNumberOfCorners(), execution,
+  execution.ForEach(corners.GetNumberOfCorners(), Grain,
     [&grid, &frame, &corners, x](std::size_t i)
     { frame.GetCorner(grid, corners.GetCorner(i), x + 3 * i); });
   vtkNew<vtkPoints> points;
@@ -63,7 +49,7 @@ void SetCells(vtkCellArray* cells, std::size_t numberOfCells, std::size_t size,
 {
   vtkNew<IdArray> offsets;
   ResizeArray(offsets.Get(), numberOfCells + 1);
-  ForEach(numberOfCells + 1, execution,
+  execution.ForEach(numberOfCells + 1, Grain,
     [&offsets, size](std::size_t i)
     {
       offsets->SetValue(
@@ -126,7 +112,7 @@ void OctreeCells<Dim>::FillVoxels(vtkUnstructuredGrid* output, const Execution& 
   // Not SetCells(type, cells), which fills the types without heeding an abort.
   vtkNew<vtkUnsignedCharArray> types;
   ResizeArray(types.Get(), nodes.GetSize());
-  ForEach(nodes.GetSize(), execution.Part(0.95, 1.0),
+  execution.Part(0.95, 1.0).ForEach(nodes.GetSize(), Grain,
     [&types](std::size_t i) { types->SetValue(static_cast<vtkIdType>(i), CellShape<Dim>::Type); });
   output->SetCells(types, cells);
 }
@@ -148,7 +134,7 @@ void OctreeCells<Dim>::FillOutlines(vtkPolyData* output, const Execution& execut
   vtkNew<IdArray> connectivity;
   ResizeArray(connectivity.Get(), nodes.GetSize() * size);
   Id* path = connectivity->GetPointer(0);
-  ForEach(nodes.GetSize(), execution.Part(0.8, 0.9),
+  execution.Part(0.8, 0.9).ForEach(nodes.GetSize(), Grain,
     [&voxels, outline, path](std::size_t node)
     {
       for (std::size_t i = 0; i < size; ++i)

@@ -10,14 +10,11 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
-
 namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t ListChunk = 512;     // Internal nodes that a thread lists at a time.
-constexpr std::size_t TreeBatch = 1 << 15; // Nodes between two reports of progress.
+constexpr std::size_t NodesAtATime = 512; // That a thread does.
 
 /** Where VTK has an octant among its siblings: with the bits of the axes turned around. */
 template <int Dim>
@@ -45,15 +42,12 @@ Buffer<typename Octree<Dim>::Node> ListVertices(const Octree<Dim>& tree, const E
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   Buffer<typename Octree<Dim>::Node> nodes(tree.GetNumberOfNodes());
   nodes[0] = tree.GetRoot();
-  execution.For(numberOfBlocks, ListChunk,
-    [&](std::size_t first, std::size_t last)
+  execution.ForEach(numberOfBlocks, NodesAtATime,
+    [&](std::size_t block)
     {
-      for (std::size_t block = first; block < last; ++block)
+      for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
       {
-        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
-        {
-          nodes[GetChildVertex<Dim>(block, octant)] = tree.GetChild(block, octant);
-        }
+        nodes[GetChildVertex<Dim>(block, octant)] = tree.GetChild(block, octant);
       }
     });
   return nodes;
@@ -102,10 +96,8 @@ void Subdivide(const Octree<Dim>& tree, vtkHyperTree* hyperTree, const Execution
   {
     hyperTree->SubdivideLeaf(0, 0);
   }
-  for (std::size_t first = 0; first < numberOfBlocks; first += TreeBatch)
-  {
-    const std::size_t last = std::min(numberOfBlocks, first + TreeBatch);
-    for (std::size_t block = first; block < last; ++block)
+  execution.OnOneThread().ForEach(numberOfBlocks, NodesAtATime,
+    [&](std::size_t block)
     {
       const int depth = tree.GetBlockKey(block).GetDepth() + 1;
       for (unsigned rest = tree.GetOctants(block).Internal; rest != 0; rest &= rest - 1)
@@ -114,9 +106,7 @@ void Subdivide(const Octree<Dim>& tree, vtkHyperTree* hyperTree, const Execution
         hyperTree->SubdivideLeaf(
           static_cast<vtkIdType>(GetChildVertex<Dim>(block, octant)), static_cast<unsigned>(depth));
       }
-    }
-    execution.Tell(static_cast<double>(last) / static_cast<double>(numberOfBlocks));
-  }
+    });
 }
 
 /** Masks the leaves without points. */
@@ -125,15 +115,8 @@ void MaskEmptyLeaves(const Nodes& nodes, vtkHyperTreeGrid* output, const Executi
 {
   vtkNew<vtkBitArray> mask;
   mask->SetNumberOfTuples(static_cast<vtkIdType>(nodes.GetSize()));
-  for (std::size_t first = 0; first < nodes.GetSize(); first += TreeBatch)
-  {
-    const std::size_t last = std::min(nodes.GetSize(), first + TreeBatch);
-    for (std::size_t i = first; i < last; ++i)
-    {
-      mask->SetValue(static_cast<vtkIdType>(i), nodes[i].IsEmpty() ? 1 : 0);
-    }
-    execution.Tell(static_cast<double>(last) / static_cast<double>(nodes.GetSize()));
-  }
+  execution.OnOneThread().ForEach(nodes.GetSize(), NodesAtATime,
+    [&](std::size_t i) { mask->SetValue(static_cast<vtkIdType>(i), nodes[i].IsEmpty() ? 1 : 0); });
   output->SetMask(mask);
 }
 

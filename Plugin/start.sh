@@ -1,20 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
+#
+# Sets everything up, then shows the octree of the points in FILE in ParaView.
+#   Plugin/start.sh [--batch] [FILE]
+# FILE is anything that ParaView reads (.ply .obj .stl .vtp .vtk .vtu ...); without it, a measured
+# terrain is shown. Without a display, or with --batch, pictures and tables are written to build/demo/
+# instead.
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 demo="$root/build/demo"
 log="$demo/demo.log"
-
-usage() {
-  cat <<'END'
-Usage: Plugin/start.sh [--batch] [FILE]
-
-Sets everything up, then shows the octree of the points in FILE in ParaView. FILE is anything that
-ParaView reads (.ply .obj .stl .vtp .vtk .vtu ...); without it, a measured terrain is shown.
-Without a display, or with --batch, pictures and tables are written to build/demo/ instead.
-END
-}
 
 fail() {
   printf 'error: %s\n' "$1" >&2
@@ -27,9 +23,7 @@ read_arguments() {
   [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] || batch=yes
   while (($#)); do
     case "$1" in
-      -h | --help)
-        usage
-        exit ;;
+      -h | --help) exec "$root/Plugin/usage.sh" "$0" ;;
       --batch) batch=yes ;;
       -*) fail "unknown option $1; try --help" ;;
       *)

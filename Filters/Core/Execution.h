@@ -90,6 +90,20 @@ public:
     }
   }
 
+  /** Calls function(i) for each i in [0, count), `grain` of them at a time. */
+  template <typename Function>
+  void ForEach(std::size_t count, std::size_t grain, const Function& function) const
+  {
+    this->For(count, grain,
+      [&function](std::size_t first, std::size_t last)
+      {
+        for (std::size_t i = first; i < last; ++i)
+        {
+          function(i);
+        }
+      });
+  }
+
   /** How many chunks of `chunkSize` items `count` items are; the last may be shorter. */
   static constexpr std::size_t GetNumberOfChunks(std::size_t count, std::size_t chunkSize)
   {

@@ -28,6 +28,19 @@ TEST(TestExecution, ForCoversTheRangeOnce)
   }
 }
 
+TEST(TestExecution, ForEachCallsForEachOnce)
+{
+  for (const std::size_t count : { 0U, 1U, 99U, 64000U, 64001U })
+  {
+    std::vector<std::atomic<int>> visits(count);
+    Execution(OnThreads(3)).ForEach(count, 100, [&](std::size_t i) { ++visits.at(i); });
+    for (const std::atomic<int>& visit : visits)
+    {
+      ASSERT_EQ(visit, 1);
+    }
+  }
+}
+
 TEST(TestExecution, ForChunksCallsForEachChunkOnce)
 {
   EXPECT_EQ(Execution::GetNumberOfChunks(0, 100), 0U);

@@ -41,6 +41,16 @@ of_grid.UpdatePipeline()
 view, shown = show(0, of_grid)
 assert view.GetXMLName() == "RenderView", view.GetXMLName()
 assert list(shown.ColorArrayName) == ["CELLS", "Depth"], shown.ColorArrayName
+alone = simple.CreateView("RenderView")
+turned = simple.HashedOctree(Input=octree.Input)
+simple.Show(turned, alone)
+drawn_bounds = []
+for kind in ("Voxels", "HyperTreeGrid", "Voxels"):
+    turned.OutputType = kind
+    simple.Render(alone)
+    drawn_bounds.append(alone.GetRenderer().ComputeVisiblePropBounds())
+assert drawn_bounds[0] == drawn_bounds[2] and drawn_bounds[0][0] < drawn_bounds[0][1], drawn_bounds
+assert all(abs(a - b) < 1e-5 for a, b in zip(*drawn_bounds[:2])), drawn_bounds
 
 view, shown = show(2)
 assert view.GetXMLName() == "HashedOctreeCostCurvesView", view.GetXMLName()

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -167,7 +168,8 @@ std::vector<PointSample<Dim, Real>> MakePointSamples()
   return samples;
 }
 
-/** Those of them that have points, and all of these finite. */
+/** Those of them that have points, and all of these finite. Throws where they are too few to test
+ * with. */
 template <int Dim, typename Real>
 std::vector<PointSample<Dim, Real>> MakeFinitePointSamples()
 {
@@ -180,6 +182,10 @@ std::vector<PointSample<Dim, Real>> MakeFinitePointSamples()
     {
       samples.push_back(std::move(sample));
     }
+  }
+  if (samples.size() <= 10)
+  {
+    throw std::logic_error("too few finite samples");
   }
   return samples;
 }
