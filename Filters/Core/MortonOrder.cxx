@@ -16,11 +16,14 @@ namespace
 {
 constexpr int MostDigitBits = 9; // 512 counters stay in the first cache.
 constexpr std::size_t MostDigits = std::size_t(1) << MostDigitBits;
+constexpr int MostSparseDigitBits = 12;           // Where points have no more than 512 of them.
+constexpr std::size_t SampleSize = 1024;          // Points that tell whether it is so.
 constexpr std::size_t InsertionLimit = 32;        // Up to here insertion beats counting digits.
 constexpr std::size_t SerialLimit = 32768;        // Up to here one thread sorts a node on its own,
 constexpr std::size_t SerialShare = 16;           // and up to this part of all points,
 constexpr std::size_t MostSerial = 262144;        // but not more: a stop would have to wait.
-constexpr std::size_t ChunkSize = 16384;          // Points that a thread partitions at a time.
+constexpr std::size_t ChunkSize = 16384;          // Points that a thread partitions at a time,
+constexpr std::size_t LeastOfDigit = 8;           // but at least so many for each counter.
 constexpr PointIndex PlacesAhead = 8;             // Places of a digit that are on the way,
 constexpr std::ptrdiff_t MostInFirstCache = 1024; // with more points than these.
 
@@ -32,6 +35,7 @@ class Digit
 {
 public:
   static constexpr int MostDepths = MostDigitBits / Dim;
+  static constexpr int MostSparseDepths = MostSparseDigitBits / Dim;
 
   /** Of the nodes `depths` below a node at `depth`. */
   Digit(int depth, int depths)
@@ -70,7 +74,7 @@ public:
     TouchPages(this->Scratch, this->Points.GetSize(), this->Threads);
     const std::size_t limit =
       std::clamp(this->Points.GetSize() / SerialShare, SerialLimit, MostSerial);
-    std::vector<Range> large{ Range{ 0, this->Points.GetSize(), 0, false } };
+    std::vector<Range> large{ Range{ 0, this->Points.GetSize(), 0, false, Dim } };
     std::vector<Range> small;
     while (!large.empty())
     {
@@ -91,13 +95,15 @@ public:
 private:
   using Point = CodedPoint<Dim>;
 
-  /** The points [First, Last) of a node at Depth, in Scratch or in Points. */
+  /** The points [First, Last) of a node at Depth, in Scratch or in Points; Branching as far as it
+   * is known from above. */
   struct Range
   {
     std::size_t First;
     std::size_t Last;
     int Depth;
     bool InScratch;
+    double Branching;
   };
 
   bool IsLeaf(std::size_t count, int depth) const
@@ -105,11 +111,11 @@ private:
     return count <= this->MaxPointsPerLeaf || depth >= this->MaxDepth;
   }
 
-  /** How many depths to part the points of a node by at once: as many as would make leaves of
-   * points that are spread evenly over 2^branching children at each depth. */
-  int GetDepths(std::size_t count, int depth, double branching) const
+  /** How many depths, up to a number, to part the points of a node by at once: as many as would
+   * make leaves of points that are spread evenly over 2^branching children at each depth. */
+  int GetDepths(std::size_t count, int depth, double branching, int most) const
   {
-    const int most = std::min(Digit<Dim>::MostDepths, this->MaxDepth - depth);
+    most = std::min(most, this->MaxDepth - depth);
     int depths = 1;
     while (depths < most && count >> static_cast<int>(branching * depths) > this->MaxPointsPerLeaf)
     {
@@ -118,7 +124,39 @@ private:
     return depths;
   }
 
+  /** The branching of the points of a large node, as some of them have it: of all depths but the
+   * last ones together. */
+  static double EstimateBranching(const Point* points, std::size_t count, int depth)
+  {
+    const int depths = std::min(Digit<Dim>::MostSparseDepths, MortonKey<Dim>::MaxDepth - depth);
+    const Digit<Dim> digit(depth, depths);
+    std::array<std::size_t, SampleSize> places;
+    for (std::size_t i = 0; i < SampleSize; ++i)
+    {
+      places[i] = digit.Of(points[count / SampleSize * i]);
+    }
+    std::sort(places.begin(), places.end());
+    const auto end = std::unique(places.begin(), places.end());
+    return GetBranching(static_cast<std::size_t>(end - places.begin()), depths);
+  }
+
+  /** Of points that have so many descendants of a node, `depths` below it. */
+  static double GetBranching(std::size_t occupied, int depths)
+  {
+    return std::max(1.0, std::log2(occupied) / depths);
+  }
+
   Point* Data(bool scratch) { return scratch ? this->Scratch : this->Points.GetData(); }
+
+  /** By how many depths to part the points of a large node at once, all threads together: counters
+   * in the first cache, as all are or, where points branch little, as those in use are. */
+  int GetSharedDepths(const Point* points, std::size_t count, int depth) const
+  {
+    const double branching = EstimateBranching(points, count, depth);
+    const int most = std::clamp(static_cast<int>(MostDigitBits / branching), Digit<Dim>::MostDepths,
+      Digit<Dim>::MostSparseDepths);
+    return this->GetDepths(count, depth, branching, most);
+  }
 
   /** Splits a range by one digit, all threads together, and appends what has to be sorted yet, the
    * last first: ranges are taken from the end, and sorted in the order in which they lie (by the
@@ -127,61 +165,81 @@ private:
   {
     const Point* from = this->Data(range.InScratch) + range.First;
     const std::size_t count = range.Last - range.First;
-    const int depths = this->GetDepths(count, range.Depth, Dim);
+    const int depths = this->GetSharedDepths(from, count, range.Depth);
     const Digit<Dim> digit(range.Depth, depths);
+    const std::size_t places = digit.GetCount();
+    const std::size_t chunkSize = std::max(ChunkSize, LeastOfDigit * places);
 
-    std::vector<DigitCounts> offsets(Execution::GetNumberOfChunks(count, ChunkSize));
-    this->ForChunks(count,
+    std::vector<PointIndex> counts(places * Execution::GetNumberOfChunks(count, chunkSize));
+    this->ForChunks(count, chunkSize,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
-      {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          ++offsets[chunk][digit.Of(from[i])];
-        }
-      });
-
-    DigitCounts next{};
-    for (const DigitCounts& chunk : offsets)
-    {
-      std::transform(
-        chunk.begin(), chunk.begin() + digit.GetCount(), next.begin(), next.begin(), std::plus<>());
-    }
-    std::array<std::size_t, MostDigits + 1> starts;
-    PointIndex sum = 0;
-    for (std::size_t place = 0; place < digit.GetCount(); ++place)
-    {
-      starts[place] = sum;
-      sum += std::exchange(next[place], sum);
-    }
-    starts[digit.GetCount()] = count;
-    for (DigitCounts& chunk : offsets)
-    {
-      for (std::size_t place = 0; place < digit.GetCount(); ++place)
-      {
-        next[place] += std::exchange(chunk[place], next[place]);
-      }
-    }
+      { CountDigits(from + first, from + last, digit, &counts[chunk * places]); });
+    const std::vector<std::size_t> starts = FindPlaces(counts, places);
 
     const std::size_t firstDigit = digit.Of(from[0]);
     if (starts[firstDigit + 1] - starts[firstDigit] == count)
     {
       rest.push_back(
-        Range{ range.First, range.Last, this->FindCommonDepth(from, count), range.InScratch });
+        Range{ range.First, range.Last, this->FindCommonDepth(from, count), range.InScratch, Dim });
       return;
     }
 
     Point* to = this->Data(!range.InScratch) + range.First;
-    this->ForChunks(count,
+    this->ForChunks(count, chunkSize,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
-      { Scatter(from + first, from + last, digit, offsets[chunk], to); });
-    for (std::size_t place = digit.GetCount(); place-- > 0;)
+      { Scatter(from + first, from + last, digit, &counts[chunk * places], to); });
+    std::vector<Range> parts;
+    for (std::size_t place = places; place-- > 0;)
     {
       if (starts[place] != starts[place + 1])
       {
-        rest.push_back(Range{ range.First + starts[place], range.First + starts[place + 1],
-          range.Depth + depths, !range.InScratch });
+        parts.push_back(Range{ range.First + starts[place], range.First + starts[place + 1],
+          range.Depth + depths, !range.InScratch, Dim });
       }
     }
+    const double branching = GetBranching(parts.size(), depths);
+    for (Range& part : parts)
+    {
+      part.Branching = branching;
+    }
+    rest.insert(rest.end(), parts.begin(), parts.end());
+  }
+
+  static void CountDigits(
+    const Point* from, const Point* end, const Digit<Dim>& digit, PointIndex* counts)
+  {
+    for (; from != end; ++from)
+    {
+      ++counts[digit.Of(*from)];
+    }
+  }
+
+  /** Of each digit the place of its first point, and one past the last; `counts` of chunk after
+   * chunk become the places where each of them puts its first one. */
+  static std::vector<std::size_t> FindPlaces(std::vector<PointIndex>& counts, std::size_t digits)
+  {
+    const auto step = static_cast<std::ptrdiff_t>(digits);
+    std::vector<PointIndex> next(digits);
+    for (auto chunk = counts.begin(); chunk != counts.end(); chunk += step)
+    {
+      std::transform(chunk, chunk + step, next.begin(), next.begin(), std::plus<>());
+    }
+    std::vector<std::size_t> starts(1 + digits);
+    PointIndex sum = 0;
+    for (std::size_t digit = 0; digit < digits; ++digit)
+    {
+      starts[digit] = sum;
+      sum += std::exchange(next[digit], sum);
+    }
+    starts[digits] = sum;
+    for (auto chunk = counts.begin(); chunk != counts.end(); chunk += step)
+    {
+      for (std::size_t digit = 0; digit < digits; ++digit)
+      {
+        next[digit] += std::exchange(chunk[static_cast<std::ptrdiff_t>(digit)], next[digit]);
+      }
+    }
+    return starts;
   }
 
   /** The depth of the deepest node that holds all of some points. */
@@ -210,7 +268,7 @@ private:
 
   /** Copies points to the places of their digits, which move on. */
   static void Scatter(
-    const Point* from, const Point* end, const Digit<Dim>& digit, DigitCounts& places, Point* to)
+    const Point* from, const Point* end, const Digit<Dim>& digit, PointIndex* places, Point* to)
   {
     const bool asksAhead = end - from > MostInFirstCache;
     for (; from != end; ++from)
@@ -225,10 +283,10 @@ private:
   }
 
   template <typename Function>
-  void ForChunks(std::size_t count, const Function& function)
+  void ForChunks(std::size_t count, std::size_t chunkSize, const Function& function)
   {
     // Progress stands still here: how many partitions follow is known only after them.
-    this->Threads.ForChunks(count, ChunkSize, function, 0.0, 0.0);
+    this->Threads.ForChunks(count, chunkSize, function, 0.0, 0.0);
   }
 
   /** Sorts ranges into Points, each on one thread; short ones share a task. */
@@ -254,7 +312,7 @@ private:
           const Range& range = ranges[i];
           this->SortOne(this->Data(range.InScratch) + range.First,
             this->Data(!range.InScratch) + range.First, range.Last - range.First, range.Depth,
-            range.InScratch, Dim);
+            range.InScratch, range.Branching);
         }
       });
   }
@@ -282,13 +340,10 @@ private:
         }
         return;
       }
-      depths = this->GetDepths(count, depth, branching);
+      depths = this->GetDepths(count, depth, branching, Digit<Dim>::MostDepths);
       const Digit<Dim> digit(depth, depths);
       std::fill_n(offsets.begin(), digit.GetCount(), 0);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        ++offsets[digit.Of(from[i])];
-      }
+      CountDigits(from, from + count, digit, offsets.data());
       if (offsets[digit.Of(from[0])] != count)
       {
         break;
@@ -303,8 +358,8 @@ private:
       occupied += offsets[place] != 0 ? 1 : 0;
       sum += std::exchange(offsets[place], sum);
     }
-    const double below = std::max(1.0, std::log2(occupied) / depths);
-    Scatter(from, from + count, digit, offsets, other);
+    const double below = GetBranching(occupied, depths);
+    Scatter(from, from + count, digit, offsets.data(), other);
     PointIndex first = 0;
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {

@@ -140,13 +140,19 @@ TYPED_TEST(TestMortonOrder, SortsManyPointsOnAnyThreads)
   }
   outlier.Coordinates[0] = 1.0;
   const PointSample<dim, double> coincident{ "coincident", std::vector<double>(dim * count, 2.0) };
+  // In few cells, which more depths part at once.
+  PointSample<dim, double> diagonal{ "diagonal", MakeUniformPoints<dim, double>(count, 57) };
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::fill_n(&diagonal.Coordinates[dim * i], dim, diagonal.Coordinates[dim * i]);
+  }
   std::vector<typename TestFixture::Ordering> orderings;
   for (const unsigned threads : { 1U, 2U, 8U })
   {
     orderings.push_back({ Execution(OnThreads(threads)), TestFixture::All });
     orderings.push_back({ Execution(OnThreads(threads)), { 64, 9 } });
   }
-  for (const auto& sample : { uniform, clusters, outlier, coincident })
+  for (const auto& sample : { uniform, clusters, outlier, coincident, diagonal })
   {
     TestFixture::ExpectSorted(sample, orderings);
   }
