@@ -72,14 +72,18 @@ public:
     return { node, descent.GetCell(), descent.GetDepth() };
   }
 
-  /** Calls function(octant, child) for each child of a node, in the order of octants. */
-  template <typename Function>
-  void ForEachChild(const Node& node, const Function& function) const
+  /** Calls function(child) for each child of a node with wants(octant), in the order of octants,
+   * each before the next is asked for. */
+  template <typename Wants, typename Function>
+  void ForEachChild(const Node& node, const Wants& wants, const Function& function) const
   {
     unsigned octant = 0;
     for (const Node* child = node.FirstChild; child != nullptr; child = child->Next)
     {
-      function(octant++, *child);
+      if (wants(octant++))
+      {
+        function(*child);
+      }
     }
   }
 

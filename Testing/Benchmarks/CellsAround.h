@@ -2,6 +2,7 @@
 #ifndef Testing_Benchmarks_CellsAround_h
 #define Testing_Benchmarks_CellsAround_h
 
+#include "Interleaving.h"
 #include "NeighborDirection.h"
 
 /** Moves a cell of a depth by one; false where that is outside the root. */
@@ -36,7 +37,7 @@ void ForEachCellAround(hashedoctree::MortonKey<Dim> middle, const Function& func
       const Direction direction{ axes, upper };
       if ((upper & ~axes) == 0 && Step<Dim>(cell, depth, direction))
       {
-        function(hashedoctree::MortonKey<Dim>::FromCell(cell, depth), direction);
+        function(hashedoctree::InterleaveCell<Dim>(cell, depth), direction);
       }
     }
   }

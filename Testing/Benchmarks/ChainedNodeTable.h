@@ -2,6 +2,10 @@
 #ifndef Testing_Benchmarks_ChainedNodeTable_h
 #define Testing_Benchmarks_ChainedNodeTable_h
 
+#include "LargePagesAllocator.h"
+
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +18,8 @@ template <typename Node, typename Hash>
 class ChainedNodeTable
 {
 public:
+  using NodeVector = std::vector<Node, LargePagesAllocator<Node>>;
+
   explicit ChainedNodeTable(const Hash& hash)
     : Slots(hash)
     , Nodes(hash.GetNumberOfSlots())
@@ -49,12 +55,33 @@ public:
     return node;
   }
 
+  /** How many keys are found by looking at i + 1 nodes, at index i. O(slots + nodes). */
+  std::vector<std::size_t> GetProbeLengths() const
+  {
+    std::vector<std::size_t> lengths;
+    for (std::size_t slot = 0; slot < this->Slots.GetNumberOfSlots(); ++slot)
+    {
+      const Node* node = &this->Nodes[slot];
+      for (std::size_t place = 0; node->Key != 0; ++place)
+      {
+        lengths.resize(std::max(lengths.size(), place + 1));
+        ++lengths[place];
+        if (node->Next == 0)
+        {
+          break;
+        }
+        node = &this->Nodes[node->Next];
+      }
+    }
+    return lengths;
+  }
+
   /** All slots, free ones too, and the nodes behind them. */
-  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+  const NodeVector& GetNodes() const { return this->Nodes; }
 
 private:
   Hash Slots;
-  std::vector<Node> Nodes;
+  NodeVector Nodes;
 };
 
 #endif

@@ -2,34 +2,41 @@
 #ifndef Testing_Benchmarks_NodePool_h
 #define Testing_Benchmarks_NodePool_h
 
+#include "LargePagesAllocator.h"
+
+#include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
-/** Memory for the nodes of a tree with pointers: in large pieces, so that nodes never move,
- * siblings stand side by side, and none costs an allocation of its own. */
+/** Memory for the nodes of a tree with pointers: in pieces as large as all before, so that nodes
+ * never move, siblings stand side by side, and none costs an allocation of its own. */
 template <typename Node, std::size_t NodesOfFamily>
 class NodePool
 {
 public:
-  /** Side by side, without pointers. O(1). */
+  /** Side by side, without pointers. O(1) on average. */
   Node* AddSiblings()
   {
-    if (this->Families % FamiliesOfPiece == 0)
+    if (this->Free == 0)
     {
-      this->Pieces.push_back(std::make_unique<Node[]>(FamiliesOfPiece * NodesOfFamily));
+      this->Free = std::max(this->Families, FamiliesOfFirstPiece);
+      this->Pieces.emplace_back(this->Free * NodesOfFamily);
     }
-    return &this->Pieces.back()[this->Families++ % FamiliesOfPiece * NodesOfFamily];
+    Piece& piece = this->Pieces.back();
+    ++this->Families;
+    return &piece[piece.size() - this->Free-- * NodesOfFamily];
   }
 
   /** Bytes of the nodes that were added. */
   std::size_t GetBytes() const { return this->Families * NodesOfFamily * sizeof(Node); }
 
 private:
-  static constexpr std::size_t FamiliesOfPiece = 4096;
+  using Piece = std::vector<Node, LargePagesAllocator<Node>>;
+  static constexpr std::size_t FamiliesOfFirstPiece = 256;
 
-  std::vector<std::unique_ptr<Node[]>> Pieces;
+  std::vector<Piece> Pieces;
   std::size_t Families = 0;
+  std::size_t Free = 0; ///< Families that the last piece has room for.
 };
 
 #endif

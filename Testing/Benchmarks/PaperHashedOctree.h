@@ -54,17 +54,24 @@ public:
   const Node* GetRoot() const { return this->Find(Key::Root()); }
   std::size_t GetBytes() const { return this->Table.GetNodes().size() * sizeof(Node); }
 
+  /** How many nodes are found by looking at i + 1 in the table, at index i. O(slots + nodes). */
+  std::vector<std::size_t> GetProbeLengths() const { return this->Table.GetProbeLengths(); }
+
   /** The node of a key, or null. */
   const Node* Find(Key key) const { return this->Table.Find(key.GetValue()); }
 
-  /** Calls function(octant, child) for each child of an internal node, in the order of octants:
-   * what a search from the root down asks for (TopDownSearch.h). */
-  template <typename Function>
-  void ForEachChild(const Node& node, const Function& function) const
+  /** Calls function(child) for each child of an internal node with wants(octant), in the order of
+   * octants, each before the next is asked for: what a search from the root down looks at
+   * (TopDownSearch.h). The others are not looked up. */
+  template <typename Wants, typename Function>
+  void ForEachChild(const Node& node, const Wants& wants, const Function& function) const
   {
     for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
     {
-      function(octant, *this->Find(Key(node.Key).GetChild(octant)));
+      if (wants(octant))
+      {
+        function(*this->Find(Key(node.Key).GetChild(octant)));
+      }
     }
   }
 
@@ -109,7 +116,8 @@ public:
    * The leaves that meet a ball around the center of a node, each once (section 3c). `radius` is in
    * world units and not negative; `found` is replaced. It begins with the cells of the node's depth
    * around it, or, where the ball is larger than these (E14), with those of the deepest depth above
-   * at which the cells around the node's ancestor hold it, so that there are 3^Dim at most.
+   * whose cells are wider than the radius, around the node's ancestor, so that there are 3^Dim at
+   * most.
    */
   template <typename Count = hashedoctree::NoCount>
   void FindInRadius(

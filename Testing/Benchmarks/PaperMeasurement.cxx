@@ -2,6 +2,7 @@
 #include "PaperMeasurement.h"
 
 #include "DepthDecisionTree.h"
+#include "DirectSearch.h"
 #include "PaperBatch.h"
 #include "PaperFrequencyCosts.h"
 #include "PaperKeys.h"
@@ -132,19 +133,15 @@ ModelCosts GetModelCosts(const Octree<3>& tree)
     hashedoctree::DepthDecisionTree(leaves).GetMeanCost(), hashedoctree::GetEntropyBound(leaves) };
 }
 
-/** Leaves of a tree that has more than the root, each equally likely, in random order. */
-std::vector<Key> SampleLeaves(const Octree<3>& tree)
+/** The leaves of points, each point equally likely. */
+std::vector<Key> SampleLeaves(const Octree<3>& tree, const std::vector<float>& points)
 {
   std::mt19937_64 random(2008);
   std::vector<Key> leaves;
   while (leaves.size() < NumberOfNeighborSearches)
   {
-    const std::uint64_t child = random() % (tree.GetNumberOfInternalNodes() * 8);
-    const auto node = tree.GetChild(child / 8, static_cast<unsigned>(child % 8));
-    if (!node.Internal)
-    {
-      leaves.push_back(node.NodeKey);
-    }
+    const Key key = tree.GetGrid().GetKey(&points[3 * (random() % (points.size() / 3))]);
+    leaves.push_back(FindLeaf(tree, key, tree.GetDeepestDepth()).Key);
   }
   return leaves;
 }
@@ -223,7 +220,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   CountFrequencyCosts(trees.Ours, results);
 
   const Peers peers = MakePeers(trees, results.StartDepth);
-  const std::vector<Key> leaves = SampleLeaves(trees.Ours);
+  const std::vector<Key> leaves = SampleLeaves(trees.Ours, points);
   for (const auto& peer : peers)
   {
     peer->SetLeaves(leaves);
@@ -234,7 +231,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   MeasureBatch(trees.Ours, points, repetitions, results);
   MeasureWorkloads(trees, points, repetitions, results);
   MeasureNeighborStarts(trees, leaves, radius, repetitions, results);
-  MeasureKeys(trees.Ours, points, repetitions, results);
+  MeasureKeys(trees, points, repetitions, results);
   return results;
 }
 }

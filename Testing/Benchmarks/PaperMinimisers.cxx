@@ -43,10 +43,10 @@ MinimiserComparison CompareMinimisers(std::size_t histograms)
     comparison.WronglyRounded += std::lround(continuous) == discrete ? 0 : 1;
     const DepthHistogram tie = MakeTie(histogram);
     const int ofTie = hashedoctree::GetMedianDepth(tie);
-    const bool isOther = GetIntegerPart(tie) != ofTie &&
-      std::abs(hashedoctree::GetMeanCost(tie, GetIntegerPart(tie)) -
-        hashedoctree::GetMeanCost(tie, ofTie)) < 1e-9;
-    comparison.OtherInTies += isOther ? 1 : 0;
+    const bool isBest = std::abs(hashedoctree::GetMeanCost(tie, GetIntegerPart(tie)) -
+                          hashedoctree::GetMeanCost(tie, ofTie)) < 1e-9;
+    comparison.BestInTies += isBest ? 1 : 0;
+    comparison.OtherInTies += isBest && GetIntegerPart(tie) != ofTie ? 1 : 0;
   }
   return comparison;
 }

@@ -15,7 +15,8 @@ struct MinimiserComparison
   std::size_t Agreeing = 0;
   std::size_t WronglyRounded = 0; ///< The continuous minimiser, rounded, is not the discrete one.
   /** Of as many others, in each of which half of the weight lies up to some depth: where the
-   * integer part is another depth than the median, of the same cost (E23). */
+   * integer part costs as little as the median, and where it is another depth then (E23). */
+  std::size_t BestInTies = 0;
   std::size_t OtherInTies = 0;
 };
 

@@ -5,6 +5,7 @@
 #include "AdjacentSearchAtStartDepth.h"
 #include "InRadiusSearch.h"
 #include "NodeStartDepths.h"
+#include "TopDownSearch.h"
 
 #include <algorithm>
 
@@ -49,6 +50,55 @@ NeighborCosts GetCosts(const std::vector<std::vector<std::uint64_t>>& nodes, int
     static_cast<int>(best - sums.begin()), getMean(own), getMean(sums.back()) };
 }
 
+/** The paper's tree, as a classical search sees it, with the nodes that it looks at counted. */
+class CountedTree
+{
+public:
+  using Node = TreePaper::Node;
+  static constexpr bool HasParents = TreePaper::HasParents;
+
+  explicit CountedTree(const TreePaper& tree)
+    : Tree(tree)
+  {
+  }
+
+  const Node* GetRoot() const
+  {
+    ++this->Looks;
+    return this->Tree.GetRoot();
+  }
+  template <typename Wants, typename Function>
+  void ForEachChild(const Node& node, const Wants& wants, const Function& function) const
+  {
+    this->Tree.ForEachChild(node, wants,
+      [&](const Node& child)
+      {
+        ++this->Looks;
+        function(child);
+      });
+  }
+
+  std::size_t GetLooks() const { return this->Looks; }
+
+private:
+  const TreePaper& Tree;
+  mutable std::size_t Looks = 0;
+};
+
+/** Looks of the classical searches for the neighbours of leaves: search(tree, leaf, found). */
+template <typename Search>
+double CountTopDown(const TreePaper& tree, const std::vector<Key>& leaves, const Search& search)
+{
+  using Placed = PlacedNode<3, TreePaper::Node>;
+  const CountedTree counted(tree);
+  std::vector<Placed> found;
+  for (const Key leaf : leaves)
+  {
+    search(counted, Placed{ tree.Find(leaf), leaf.GetCell(), leaf.GetDepth() }, found);
+  }
+  return static_cast<double>(counted.GetLooks()) / static_cast<double>(leaves.size());
+}
+
 /** Both options of the adjacent search (the paper's section 3b) from the median. Nodes are counted
  * apart from the time. */
 void CompareOptions(
@@ -79,6 +129,38 @@ void CompareOptions(
     leaves.size(), repetitions);
   results.Neighbors.Rejected = { getNodes(reject), times[0] };
   results.Neighbors.Taken = { getNodes(take), times[1] };
+}
+
+/** The start depth kept for a leaf that is not the root, looked up as a search does that knows only
+ * the leaf's key. */
+int GetOwnStartDepth(
+  const Octree<3>& tree, const hashedoctree::NodeStartDepths<3>& stored, Key leaf)
+{
+  return stored.Get(tree.GetTable().Find(leaf.GetParent().GetValue())->Block, leaf.GetOctant());
+}
+
+/** Adjacent searches from the median and from the depths that are kept, which are looked up. */
+void TimeOwnStartDepths(const Octree<3>& tree, const std::vector<Key>& leaves,
+  const hashedoctree::NodeStartDepths<3>& stored, int repetitions, PaperResults& results)
+{
+  std::vector<hashedoctree::Neighbor<3>> found;
+  const auto time = [&](const auto& getStartDepth)
+  {
+    return GetSeconds(
+      [&]
+      {
+        for (const Key leaf : leaves)
+        {
+          FindAdjacentLeaves(tree, leaf, getStartDepth(leaf), found);
+        }
+      });
+  };
+  const std::vector<Spread> times = TimeInTurns(
+    { [&] { return time([&](Key) { return results.StartDepth; }); },
+      [&] { return time([&](Key leaf) { return GetOwnStartDepth(tree, stored, leaf); }); } },
+    leaves.size(), repetitions);
+  results.Neighbors.MedianTime = times[0];
+  results.Neighbors.OwnTime = times[1];
 }
 }
 
@@ -124,6 +206,12 @@ void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leav
     GetCosts(ScanStartDepths(scanned, deepest, countPaperAdjacent), results.StartDepth);
   starts.PaperInRadius =
     GetCosts(ScanStartDepths(scanned, deepest, countPaperInRadius), results.StartDepth);
+  starts.PaperAdjacent.TopDown = CountTopDown(*trees.Paper, scanned,
+    [](const auto& counted, const auto& leaf, auto& placed)
+    { FindAdjacentTopDown(counted, leaf, placed); });
+  starts.PaperInRadius.TopDown = CountTopDown(*trees.Paper, scanned,
+    [&](const auto& counted, const auto& leaf, auto& placed)
+    { FindInRadiusTopDown(counted, tree.GetGrid(), leaf, radius, placed); });
   starts.Adjacent = GetCosts(adjacent, results.StartDepth);
   starts.InRadius = GetCosts(inRadius, results.StartDepth);
   hashedoctree::NodeStartDepths<3> stored;
@@ -132,12 +220,12 @@ void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leav
   starts.StoredBytes = stored.GetBytes();
   for (std::size_t i = 0; i < scanned.size(); ++i)
   {
-    const auto* parent = tree.GetTable().Find(scanned[i].GetParent().GetValue());
-    const int startDepth = stored.Get(parent->Block, scanned[i].GetOctant());
+    const int startDepth = GetOwnStartDepth(tree, stored, scanned[i]);
     const std::uint64_t fewest = *std::min_element(adjacent[i].begin(), adjacent[i].end());
     ++results.CheckedAnswers;
     results.DifferentAnswers += countAdjacent(scanned[i], startDepth) == fewest ? 0 : 1;
   }
+  TimeOwnStartDepths(tree, scanned, stored, repetitions, results);
   CompareOptions(tree,
     { scanned.begin(), scanned.begin() + std::min(scanned.size(), MaxRejectedLeaves) }, repetitions,
     results);

@@ -3,6 +3,7 @@
 
 #include "AdjacentSearch.h"
 #include "InRadiusSearch.h"
+#include "Interleaving.h"
 #include "StartDepths.h"
 #include "TopDownSearch.h"
 
@@ -22,7 +23,7 @@ template <typename Hash>
 PlacedNode<3, typename PaperHashedOctree<3, Hash>::Node> FindFromRoot(
   const PaperHashedOctree<3, Hash>& tree, const hashedoctree::Cell<3>& x)
 {
-  const auto* node = tree.FindLeaf(Key::FromCell(x, Key::MaxDepth), 0);
+  const auto* node = tree.FindLeaf(hashedoctree::InterleaveCell<3>(x, Key::MaxDepth), 0);
   const Key key(node->Key);
   return { node, key.GetCell(), key.GetDepth() };
 }

@@ -52,21 +52,22 @@ struct FrequencyCosts
   std::array<double, NumberOfModels> Medians{}; ///< From the start depth of each model.
 };
 
-/** How a hash spreads keys over a table of buckets. */
+/** How a hash spreads keys over a table: of buckets, or of nodes in chains. */
 struct HashProbes
 {
-  double Load = 0.0; ///< Share of the slots that are taken.
-  /** Shares of the keys for which 1, 2, 3 to 4, 5 to 8, 9 to 16, and more buckets are looked at. */
+  double Load = 0.0; ///< Keys over slots.
+  /** Shares of the keys for which 1, 2, 3 to 4, 5 to 8, 9 to 16, and more are looked at. */
   std::array<double, 6> Shares{};
-  double Mean = 0.0;        ///< Buckets looked at for a key.
+  double Mean = 0.0;        ///< Looked at for a key.
   std::size_t Greatest = 0; ///< The most of them.
 };
 struct KeyCosts
 {
   Spread Dilation;
-  Spread Pdep; ///< Zero where the machine cannot.
-  HashProbes LowBits;
-  HashProbes Mixing;
+  Spread Pdep;        ///< Zero where the machine cannot.
+  HashProbes Chains;  ///< In the paper's own table, which has all nodes.
+  HashProbes LowBits; ///< In ours by the paper's hash,
+  HashProbes Mixing;  ///< and by our own.
 };
 
 /** Mean number of nodes and time of an adjacent search. */
@@ -80,11 +81,12 @@ struct AdjacentOption
 struct NeighborCosts
 {
   double Root;
-  double Median;   ///< From the median of all leaves, as the paper does (README, row 42).
-  double Best;     ///< From the one depth that is best for all leaves.
-  int BestDepth;   ///< That depth, the smallest of equals.
-  double Own;      ///< From the depth that is best for each leaf (README, row 41).
-  double Climbing; ///< From the deepest depth: from parent to parent (README, row 25).
+  double Median;        ///< From the median of all leaves, as the paper does (README, row 42).
+  double Best;          ///< From the one depth that is best for all leaves.
+  int BestDepth;        ///< That depth, the smallest of equals.
+  double Own;           ///< From the depth that is best for each leaf (README, row 41).
+  double Climbing;      ///< From the deepest depth: from parent to parent (README, row 25).
+  double TopDown = 0.0; ///< Of the classical search from the root, in the paper's layout.
 };
 struct NeighborStarts
 {
@@ -94,6 +96,8 @@ struct NeighborStarts
   NeighborCosts PaperInRadius{};
   std::size_t StoredBytes = 0; ///< Of NodeStartDepths, which has Own of the adjacent search.
   double StoredSeconds = 0.0;  ///< What making them took, once.
+  Spread MedianTime;           ///< Of an adjacent search from the median,
+  Spread OwnTime;              ///< and from the leaf's own depth, which is looked up.
   AdjacentOption Rejected; ///< The option that the paper rejects (README, row 22), from the median.
   AdjacentOption Taken;    ///< The other one, for the same leaves.
 };

@@ -66,17 +66,24 @@ void AppendCosts(std::vector<std::string>& row, const NeighborCosts& costs)
 /** The looks that the paper's own searches take in its table. */
 void WriteNeighborStartsOfPaper(std::ostream& out, const std::vector<PaperResults>& sets)
 {
-  out << "\n### The same in the paper's layout\n\nIts own searches (Algorithm 2; in-radius as in "
-         "section 3c), looks in its table, for the same leaves. The root is start depth 0.\n\n";
+  out
+    << "\n### The same in the paper's layout\n\nIts own searches (Algorithm 2; in-radius as in "
+       "section 3c), looks in its table, for the same leaves. The root is start depth 0; top-down "
+       "is the classical search instead (section 2), which looks at the children that meet what "
+       "is searched, and is what Table 2 has from the root.\n\n";
   WriteHead(out,
-    { "set", "start depth", "adjacent: root", "median", "climbing", "best depth for all",
-      "best for each", "in-radius: root", "median", "climbing", "best depth for all",
-      "best for each" });
+    { "set", "start depth", "adjacent: top-down", "root", "median", "climbing",
+      "best depth for all", "best for each", "in-radius: top-down", "root", "median", "climbing",
+      "best depth for all", "best for each" });
   for (const PaperResults& set : sets)
   {
     std::vector<std::string> row{ set.Set.Name, std::to_string(set.StartDepth) };
-    AppendCosts(row, set.Neighbors.PaperAdjacent);
-    AppendCosts(row, set.Neighbors.PaperInRadius);
+    for (const NeighborCosts* costs :
+      { &set.Neighbors.PaperAdjacent, &set.Neighbors.PaperInRadius })
+    {
+      row.push_back(Format(costs->TopDown));
+      AppendCosts(row, *costs);
+    }
     WriteRow(out, row);
   }
 }
@@ -88,17 +95,20 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
     << "\n## Start depths of neighbour searches\n\nMean number of nodes that a search for the "
        "neighbours of a leaf examines in our layout, counted for "
     << MaxScannedLeaves
-    << " leaves drawn from all: from the root; from the median of all leaves, which is best for "
+    << " leaves, those of points drawn from all: from the root; from the median of all leaves, "
+       "which is best for "
        "direct searches and which the paper takes for these as well; from the one depth "
        "that is best for all these leaves, found by trying all; and from the depth that is best "
        "for each leaf, which for adjacent searches NodeStartDepths keeps, in one byte for "
        "each node; these are made, and timed, once. Climbing is from parent to parent alone, from "
-       "below all leaves, which the "
-       "paper expects to take more than from the median. The radius is that of Table 2.\n\n";
+       "below all leaves, which the paper expects to take more than from the median. The radius is "
+       "that of Table 2. The times are of adjacent searches for the same leaves, that of the depth "
+       "kept for each with looking it up.\n\n";
   WriteHead(out,
     { "set", "start depth", "adjacent: root", "median", "climbing", "best depth for all",
       "best for each", "in-radius: root", "median", "climbing", "best depth for all",
-      "best for each", "MB kept", "MB tree", "ms to make" });
+      "best for each", "MB kept", "MB tree", "ms to make", "adjacent, us: median",
+      "best for each" });
   for (const PaperResults& set : sets)
   {
     std::vector<std::string> row{ set.Set.Name, std::to_string(set.StartDepth) };
@@ -107,6 +117,8 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
     row.push_back(Format(std::ldexp(static_cast<double>(set.Neighbors.StoredBytes), -20)));
     row.push_back(Format(std::ldexp(static_cast<double>(set.Bytes[OursBuilt]), -20)));
     row.push_back(Format(1e3 * set.Neighbors.StoredSeconds));
+    row.push_back(FormatTime(set.Neighbors.MedianTime, 1e6));
+    row.push_back(FormatTime(set.Neighbors.OwnTime, 1e6));
     WriteRow(out, row);
   }
   WriteNeighborStartsOfPaper(out, sets);
@@ -117,7 +129,7 @@ void WriteRejectedOption(std::ostream& out, const std::vector<PaperResults>& set
   out << "\n## The option of the adjacent search that the paper rejects\n\nFrom the cells of the "
          "start depth around the leaf along the hierarchy (section 3b), beside the option that "
          "it takes, both from the median, in our layout: mean of "
-      << MaxRejectedLeaves << " leaves drawn from all.\n\n";
+      << MaxRejectedLeaves << " leaves, those of points drawn from all.\n\n";
   WriteHead(
     out, { "set", "rejected: nodes", "us", "taken: nodes", "us", "nodes, rejected over taken" });
   for (const PaperResults& set : sets)

@@ -133,19 +133,20 @@ void WritePaperGains(std::ostream& out)
 
 void WriteTable2(std::ostream& out, const Sets& sets)
 {
-  out << "\n## Table 2: searches, us each\n\nDirect: every point of the set, from its coordinates "
-         "on, as in the paper. Neighbours: of "
-      << NumberOfNeighborSearches
-      << " leaves drawn from all, in random order. The radius, which the paper does not tell, is "
-         "the side of the cells at the median depth. The start depth is the median of the leaves "
-         "(f_leaves). Which it is in the paper cannot be told (E19): its mean of direct searches, "
-         "1.33, is that of its Table 3 for points searched for by f_leaves, beside 1.30 by "
-         "f_points; but Maracanã's, of its Table 1, can only be that of f_points. \"ours, local\" "
-         "has the medians of 4096 coarse cells. From the root the paper's layout searches "
-         "top-down, with geometric tests for neighbours, as the trees with "
-         "pointers do; with parents, neighbours are searched from the smallest ancestor that holds "
-         "them all. In parentheses the paper's times for the set that it has here, and the means "
-         "and gains that follow from them for the same sets.\n";
+  out
+    << "\n## Table 2: searches, us each\n\nFor the points of the set, as in the paper. Direct: all "
+       "of them, from their coordinates on. Neighbours: those of the leaves of "
+    << NumberOfNeighborSearches
+    << " points drawn from all, in random order. The radius, which the paper does not tell, is "
+       "the side of the cells at the median depth. The start depth is the median of the leaves "
+       "(f_leaves). Which it is in the paper cannot be told (E19): its mean of direct searches, "
+       "1.33, is that of its Table 3 for points searched for by f_leaves, beside 1.30 by "
+       "f_points; but Maracanã's, of its Table 1, can only be that of f_points. \"ours, local\" "
+       "has the medians of 4096 coarse cells. From the root the paper's layout searches "
+       "top-down, with geometric tests for neighbours, as the trees with "
+       "pointers do; with parents, neighbours are searched from the smallest ancestor that holds "
+       "them all. In parentheses the paper's times for the set that it has here, and the means "
+       "and gains that follow from them for the same sets.\n";
   for (std::size_t kind = 0; kind < NumberOfKinds; ++kind)
   {
     out << "\n### " << KindNames[kind] << "\n\n";

@@ -49,13 +49,17 @@ public:
     return { node, descent.GetCell(), descent.GetDepth() };
   }
 
-  /** Calls function(octant, child) for each child of a node, in the order of octants. */
-  template <typename Function>
-  void ForEachChild(const Node& node, const Function& function) const
+  /** Calls function(child) for each child of a node with wants(octant), in the order of octants,
+   * each before the next is asked for. */
+  template <typename Wants, typename Function>
+  void ForEachChild(const Node& node, const Wants& wants, const Function& function) const
   {
     for (unsigned octant = 0; octant < NumberOfOctants; ++octant)
     {
-      function(octant, *node.Children[octant]);
+      if (wants(octant))
+      {
+        function(*node.Children[octant]);
+      }
     }
   }
 

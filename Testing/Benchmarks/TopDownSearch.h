@@ -62,19 +62,21 @@ private:
 
   void SearchChildren(const Placed& parent)
   {
-    this->Nodes.ForEachChild(*parent.Node,
-      [this, &parent](unsigned octant, const Node& node)
+    Placed child{ nullptr, {}, parent.Depth + 1 };
+    this->Nodes.ForEachChild(
+      *parent.Node,
+      [&](unsigned octant)
       {
-        Placed child{ &node, parent.Cell, parent.Depth + 1 };
         for (int axis = 0; axis < Dim; ++axis)
         {
-          child.Cell[axis] = 2U * child.Cell[axis] + (octant >> (Dim - 1 - axis) & 1U);
+          child.Cell[axis] = 2U * parent.Cell[axis] + (octant >> (Dim - 1 - axis) & 1U);
         }
         const bool isHome = child.Depth == this->Home.Depth && child.Cell == this->Home.Cell;
-        if (isHome || !this->Around.Meets(child.Cell, child.Depth))
-        {
-          return;
-        }
+        return !isHome && this->Around.Meets(child.Cell, child.Depth);
+      },
+      [&](const Node& node)
+      {
+        child.Node = &node;
         if (node.IsLeaf())
         {
           this->Found.push_back(child);

@@ -45,8 +45,9 @@ class TestNodeTable : public ::testing::Test
 using Hashes = ::testing::Types<LowBitsHash, MixingHash>;
 TYPED_TEST_SUITE(TestNodeTable, Hashes);
 
-/** Keys of deep nodes in the root's lower corner, all ending in the same bits. */
-std::vector<std::uint64_t> MakeCornerKeys(std::size_t count)
+/** Keys of the first descendants, ten depths below them, of many nodes: all end in the same bits.
+ */
+std::vector<std::uint64_t> MakeKeysOfLowerCorners(std::size_t count)
 {
   std::vector<std::uint64_t> keys;
   for (std::uint64_t i = 0; i < count; ++i)
@@ -122,7 +123,7 @@ TYPED_TEST(TestNodeTable, IsAtMostHalfFull)
 
 TYPED_TEST(TestNodeTable, ProbeLengthsCountEveryKey)
 {
-  const auto table = MakeTable<TypeParam>(MakeCornerKeys(1000));
+  const auto table = MakeTable<TypeParam>(MakeKeysOfLowerCorners(1000));
   const std::vector<std::size_t> lengths = table.GetProbeLengths();
   EXPECT_EQ(std::accumulate(lengths.begin(), lengths.end(), std::size_t(0)), 1000U);
 }
@@ -235,10 +236,10 @@ TYPED_TEST(TestNodeTable, ValuesCanBeChanged)
   EXPECT_EQ(*std::as_const(table).Find(5), 2U);
 }
 
-TEST(TestNodeTableFacts, OnlyLowBitsSendCornerChainsToOneSlot)
+TEST(TestNodeTableFacts, OnlyLowBitsSendKeysOfTheSameEndToOneSlot)
 {
   // Paper E20.
-  const std::vector<std::uint64_t> keys = MakeCornerKeys(1000);
+  const std::vector<std::uint64_t> keys = MakeKeysOfLowerCorners(1000);
   EXPECT_DOUBLE_EQ(GetMeanProbeLength(MakeTable<LowBitsHash>(keys)), 125.5);
   EXPECT_LT(GetMeanProbeLength(MakeTable<MixingHash>(keys)), 1.2);
 }

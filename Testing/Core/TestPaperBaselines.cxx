@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BrotherChildOctree.h"
+#include "NodePool.h"
 #include "PaperHashedOctree.h"
 #include "PointerOctree.h"
 #include "TopDownSearch.h"
@@ -267,4 +268,37 @@ TEST(TestPaperBaselinesFacts, BytesOfNodesAreThePapers)
   EXPECT_EQ(sizeof(BrotherChildOctree<3, ParentPointers::Yes>::Node), 32U);
   EXPECT_EQ(sizeof(PaperHashedOctree<3, LowBitsHash>::Node), 24U);
   EXPECT_EQ(GetPaperHash().GetNumberOfSlots(), std::size_t(1) << 21);
+}
+
+TEST(TestPaperBaselinesFacts, ProbesOfAChain)
+{
+  struct Node
+  {
+    std::uint64_t Key;
+    std::uint32_t Next;
+  };
+  const LowBitsHash hash(100);
+  const std::size_t slots = hash.GetNumberOfSlots();
+  ChainedNodeTable<Node, LowBitsHash> table(hash);
+  for (const std::size_t key : { std::size_t(7), 7 + slots, 7 + 2 * slots, std::size_t(9) })
+  {
+    table.Insert({ key, 0 });
+  }
+  EXPECT_EQ(table.GetProbeLengths(), (std::vector<std::size_t>{ 2, 1, 1 }));
+}
+
+TEST(TestPaperBaselinesFacts, FamiliesOfAPoolStayWhereTheyAre)
+{
+  NodePool<int, 4> pool;
+  std::vector<int*> families;
+  for (int i = 0; i < 100000; ++i)
+  {
+    families.push_back(pool.AddSiblings());
+    std::fill_n(families.back(), 4, i);
+  }
+  for (int i = 0; i < 100000; ++i)
+  {
+    ASSERT_EQ(std::count(families[i], families[i] + 4, i), 4) << i;
+  }
+  EXPECT_EQ(pool.GetBytes(), 400000 * sizeof(int));
 }

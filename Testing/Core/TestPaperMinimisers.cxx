@@ -11,6 +11,7 @@ TEST(TestPaperMinimisers, IntegerPartIsRightRoundingIsNot)
   const MinimiserComparison comparison = CompareMinimisers(500);
   EXPECT_EQ(comparison.Histograms, 500U);
   EXPECT_EQ(comparison.Agreeing, 500U);
+  EXPECT_EQ(comparison.BestInTies, 500U);
   EXPECT_EQ(comparison.OtherInTies, 500U);
   EXPECT_GT(comparison.WronglyRounded, 150U);
   EXPECT_LT(comparison.WronglyRounded, 350U);

@@ -90,7 +90,11 @@ TEST(TestPaperReport, NodesAndProbes)
   const std::string neighbors = "Start depths of neighbour searches";
   EXPECT_EQ(report.GetCell(neighbors, "first", "climbing"), "22.0");
   EXPECT_EQ(report.GetCell(neighbors, "first", "best depth for all"), "20.0 (9)");
-  const MarkdownTables::Table& probes = report.Get("Keys and their hashing 2");
+  EXPECT_EQ(report.GetCell(neighbors, "first", "best for each"), "18.0");
+  const std::string chains = "Chains in the paper's table";
+  EXPECT_EQ(report.GetCell(chains, "first", "mean"), "2.20");
+  EXPECT_EQ(report.GetCell(chains, "first", "mean if even"), "2.50");
+  const MarkdownTables::Table& probes = report.Get("Buckets of ours");
   EXPECT_EQ(probes[1],
     (MarkdownTables::Row{
       "first", "low bits", "0.50", "60.0", "10.0", "10.0", "10.0", "10.0", "0.00", "2.00", "9" }));

@@ -57,6 +57,7 @@ inline paper_benchmark::PaperResults InventPaperResults(const std::string& name)
   set.Neighbors.Rejected = { 500.0, InventTime(50e-6) };
   set.Neighbors.Taken = { 20.0, InventTime(2e-6) };
   set.Keys.Dilation = InventTime(2e-9);
+  set.Keys.Chains = { 3.0, { 0.5, 0.2, 0.2, 0.1, 0.0, 0.0 }, 2.2, 7 };
   set.Keys.LowBits = { 0.5, { 0.6, 0.1, 0.1, 0.1, 0.1, 0.0 }, 2.0, 9 };
   set.Keys.Mixing = { 0.5, { 0.9, 0.05, 0.05, 0.0, 0.0, 0.0 }, 1.1, 4 };
   set.CheckedAnswers = 100;
