@@ -2,6 +2,7 @@
 #ifndef hashedoctree_BallInGrid_h
 #define hashedoctree_BallInGrid_h
 
+#include "FlatAxes.h"
 #include "Grid.h"
 
 #include <algorithm>
@@ -28,14 +29,19 @@ public:
    * squared ratio of units. */
   static bool IsExact(double ratio2) { return ratio2 < MostExact && 1.0 / MostExact < ratio2; }
 
-  BallInGrid(const Grid<Dim>& grid, const Position<Dim>& center)
+  /** Of points that are flat along some axes, the center is folded there. */
+  BallInGrid(
+    const Grid<Dim>& grid, const Position<Dim>& center, const FlatAxes<Dim>& flat = FlatAxes<Dim>())
     : CellsPerLength(grid.GetCellsPerLength())
+    , Flat(flat.GetMask())
   {
     for (int axis = 0; axis < Dim; ++axis)
     {
-      this->Place[axis] = (center[axis] - grid.GetLower()[axis]) * this->CellsPerLength;
-      this->Home[axis] = GetLowerCell(this->Place[axis]);
-      this->Farthest = std::max(this->Farthest, std::abs(this->Place[axis]));
+      this->SetPlace(axis, (center[axis] - grid.GetLower()[axis]) * this->CellsPerLength);
+    }
+    if (this->Flat != 0)
+    {
+      this->Fold(flat);
     }
   }
 
@@ -70,7 +76,8 @@ public:
   }
 
   /** How far the center is from the nearest face of the cell of a depth around it, or nearest to
-   * it; negative outside. */
+   * it, leaving out faces across axes along which the points are flat: there is nothing behind
+   * them. Negative outside. */
   double GetRoom(int depth) const
   {
     const int shift = Key::MaxDepth - depth;
@@ -80,14 +87,17 @@ public:
     {
       const auto lower = static_cast<double>(this->Home[axis] >> shift << shift);
       const double toLower = this->Place[axis] - lower;
-      room = std::min(room, std::min(toLower, side - toLower));
+      if ((this->Flat >> axis & 1U) == 0)
+      {
+        room = std::min(room, std::min(toLower, side - toLower));
+      }
     }
     return room;
   }
 
-  /** Whether a ball with this radius surely lies in the cell of a depth around the center. Faster
-   * than to give the ball the radius, and no more often wrong than rounding asks for, but for balls
-   * that reach out of the root. */
+  /** Whether a ball with this radius surely lies in the cell of a depth around the center, but for
+   * what is beyond it along flat axes. Faster than to give the ball the radius, and no more often
+   * wrong than rounding asks for, but for balls that reach out of the root. */
   bool FitsInCell(int depth, double radius2) const
   {
     const auto side = static_cast<double>(std::uint64_t(1) << (Key::MaxDepth - depth));
@@ -107,6 +117,22 @@ public:
   const Cell<Dim>& GetUpper() const { return this->Upper; }
 
 private:
+  void SetPlace(int axis, double place)
+  {
+    this->Place[axis] = place;
+    this->Home[axis] = GetLowerCell(place);
+    this->Farthest = std::max(this->Farthest, std::abs(place));
+  }
+
+  /** (Not inline, so that other searches are as fast as without it.) */
+  [[gnu::noinline]] void Fold(const FlatAxes<Dim>& flat)
+  {
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      this->SetPlace(axis, flat.Fold(this->Place[axis], axis));
+    }
+  }
+
   // More than rounding does to a place in the root, and to one further away beside its distance.
   static constexpr double Rounding = 1e-9;
   static constexpr double RelativeRounding = 1e-12;
@@ -129,6 +155,7 @@ private:
   static int CountBits(std::uint32_t x) { return x == 0 ? 0 : HighestBit(x) + 1; }
 
   double CellsPerLength;
+  unsigned Flat; ///< The mask of FlatAxes.
   Position<Dim> Place;
   Cell<Dim> Home;
   double Farthest = 0.0;

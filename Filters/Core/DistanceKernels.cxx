@@ -359,18 +359,28 @@ struct Avx2Boxes
     {
       OfOctants<3, double> lower[3];
       OfOctants<3, double> upper[3];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        lower[axis] =
-          _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Lower[axis] + first)));
-        upper[axis] =
-          _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Upper[axis] + first)));
-      }
+      Convert(boxes, first, lower, upper);
       OfOctants<3, double> four;
       ComputeToBoxes<3, double>(lower, upper, steps, four);
       _mm256_storeu_pd(dist2 + first, four);
       const __m256d isWithin = _mm256_cmp_pd(four, _mm256_set1_pd(limit), _CMP_NGT_UQ);
       mask |= static_cast<unsigned>(_mm256_movemask_pd(isWithin)) << first;
+    }
+    return mask;
+  }
+  HASHEDOCTREE_WITH_AVX2 static unsigned ToWholeBoxesFromAfar(
+    const ChildBoxes<3>& boxes, const double* steps, double limit)
+  {
+    unsigned mask = 0;
+    for (unsigned first = 0; first < MortonKey<3>::NumberOfOctants; first += 4)
+    {
+      OfOctants<3, double> lower[3];
+      OfOctants<3, double> upper[3];
+      Convert(boxes, first, lower, upper);
+      OfOctants<3, double> four;
+      ComputeToFarthest<3, double>(lower, upper, steps, four);
+      const __m256d isWhole = _mm256_cmp_pd(four, _mm256_set1_pd(limit), _CMP_LT_OQ);
+      mask |= static_cast<unsigned>(_mm256_movemask_pd(isWhole)) << first;
     }
     return mask;
   }
@@ -415,6 +425,18 @@ private:
       upper[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Upper[axis])));
     }
   }
+  /** Of four octants. */
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static void Convert(const ChildBoxes<3>& boxes,
+    unsigned first, OfOctants<3, double>* lower, OfOctants<3, double>* upper)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] =
+        _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Lower[axis] + first)));
+      upper[axis] =
+        _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Upper[axis] + first)));
+    }
+  }
 };
 #endif
 
@@ -444,6 +466,7 @@ DistanceKernels<Dim, Real> ChooseKernels()
       kernels.ToBoxes = Avx2Boxes::ToBoxes;
       kernels.ToBoxesFromAfar = Avx2Boxes::ToBoxesFromAfar;
       kernels.ToWholeBoxes = Avx2Boxes::ToWholeBoxes;
+      kernels.ToWholeBoxesFromAfar = Avx2Boxes::ToWholeBoxesFromAfar;
       kernels.ToFarthestCorner = Avx2Boxes::ToFarthestCorner;
     }
     return kernels;

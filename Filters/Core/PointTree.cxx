@@ -133,6 +133,7 @@ PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelectio
   if (this->Tree.IsRootInternal())
   {
     this->Free = FreeSpace<Dim>(this->Tree, this->Boxes);
+    this->Flat = FlatAxes<Dim>(selection.GetBox(), this->Tree.GetGrid());
   }
   this->BuildNested(points, execution.Part(0.9, 1.0));
 }

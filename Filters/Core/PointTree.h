@@ -47,6 +47,8 @@ public:
   const StartDepths<Dim>& GetStartDepths() const { return this->Starts; }
 
   const FreeSpace<Dim>& GetFreeSpace() const { return this->Free; }
+  /** Along which the points are flat. */
+  const FlatAxes<Dim>& GetFlatAxes() const { return this->Flat; }
 
   /** Coordinates of the points of a leaf, given where its range begins: axis after axis, so that
    * the points of a leaf are near each other in memory and of one kind in a vector. No meaning for
@@ -123,6 +125,7 @@ private:
   Buffer<ChildBoxes<Dim>> Boxes;
   Buffer<std::uint32_t> Forks;
   FreeSpace<Dim> Free;
+  FlatAxes<Dim> Flat;
   std::vector<Nested> NestedTrees; ///< By FirstPoint.
   const DistanceKernels<Dim, Real>* Kernels = &GetDistanceKernels<Dim, Real>();
 };

@@ -33,7 +33,7 @@ public:
     , Nodes(tree.GetOctree())
     , Points(collector)
     , Examined(count)
-    , Ball(this->Nodes.GetGrid(), x)
+    , Ball(this->Nodes.GetGrid(), x, tree.GetFlatAxes())
     , Below(tree, x, this->Ball.GetPlace(), collector, count)
   {
   }

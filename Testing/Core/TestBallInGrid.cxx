@@ -169,6 +169,30 @@ TYPED_TEST(TestBallInGrid, FitsInTheCellsThatHoldIt)
   }
 }
 
+TYPED_TEST(TestBallInGrid, NothingLimitsItAlongFlatAxes)
+{
+  constexpr int dim = TypeParam::value;
+  Position<dim> upper{};
+  upper[0] = 1.0;
+  const Box<dim> box(Position<dim>{}, upper);
+  const Grid<dim> grid(box);
+  const FlatAxes<dim> flat(box, grid);
+  // Above the middle of a cell of depth 3 of the first axis.
+  Position<dim> center;
+  center.fill(0.25);
+  center[0] = 5.0 / 16.0;
+  const BallInGrid<dim> ball(grid, center, flat);
+  EXPECT_EQ(ball.GetRoom(3), MortonKey<dim>::CellsPerSide / 16.0);
+  EXPECT_TRUE(ball.FitsInCell(3, 0.99 / 256.0));
+  EXPECT_FALSE(ball.FitsInCell(3, 1.01 / 256.0));
+  for (int axis = 1; axis < dim; ++axis)
+  {
+    EXPECT_EQ(ball.GetHome()[axis], 0U);
+    EXPECT_EQ(ball.GetPlace()[axis], -0.25 * MortonKey<dim>::CellsPerSide);
+    EXPECT_LE(BallInGrid<dim>(grid, center).GetRoom(3), 0.0) << "from the face of a cell";
+  }
+}
+
 TYPED_TEST(TestBallInGrid, WhatIsNoNumberReachesEverywhere)
 {
   constexpr int dim = TypeParam::value;

@@ -381,5 +381,6 @@ TYPED_TEST(TestDistanceKernels, EachIsTheFastestThatTheMachineHas)
   EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, HasAvx2() && dim == 3);
   EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, HasAvx2() && dim == 3);
   EXPECT_EQ(fastest.ToWholeBoxes != plain.ToWholeBoxes, HasAvx2() && dim == 3);
+  EXPECT_EQ(fastest.ToWholeBoxesFromAfar != plain.ToWholeBoxesFromAfar, HasAvx2() && dim == 3);
   EXPECT_EQ(fastest.ToFarthestCorner != plain.ToFarthestCorner, HasAvx2() && dim == 3);
 }

@@ -200,6 +200,49 @@ TYPED_TEST(TestPointSearch, FindsAmongManyAtOnePlace)
   this->ExpectAsBruteForce(MakeHeaps<dim>(), 16, 60, 2);
 }
 
+TYPED_TEST(TestPointSearch, FindsAsBruteForceInThinPoints)
+{
+  constexpr int dim = TestFixture::Dim;
+  // Thinner than a cell of the last depth, and about as thick as some.
+  for (const double thickness : { 0.0, 1e-12, 1e-8, 1e-5 })
+  {
+    std::vector<double> coordinates = MakeUniformPoints<dim, double>(500, 169);
+    for (std::size_t i = 0; i < coordinates.size(); i += dim)
+    {
+      coordinates[i] = 0.25 + thickness * coordinates[i];
+    }
+    this->template ExpectAsBruteForce<double>({ "thin", coordinates }, 4, 30);
+  }
+}
+
+TEST(TestPointSearchFacts, BothSidesOfAPlaneAreAlike)
+{
+  PointSample<3, float> sample{ "plane", MakeUniformPoints<3, float>(50000, 170) };
+  for (std::size_t i = 0; i < sample.Coordinates.size(); i += 3)
+  {
+    sample.Coordinates[i + 2] = 0.0F;
+  }
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const PointSearch<3, float> search(tree);
+  for (const double height : { 1e-9, 1e-3, 0.1, 1.0, 10.0, 1e3 })
+  {
+    double nodes = 0.0;
+    for (std::size_t i = 0; i < 100; ++i)
+    {
+      const float* point = sample.GetSpan()[i];
+      const Position<3> above{ point[0] + 1e-4, point[1], height };
+      const Position<3> below{ above[0], above[1], -height };
+      ASSERT_EQ(search.CountNodesForClosest(above), search.CountNodesForClosest(below));
+      ASSERT_EQ(search.CountNodesForClosest(above, 8), search.CountNodesForClosest(below, 8));
+      ASSERT_EQ(search.CountNodesForWithin(above, 1.1 * height),
+        search.CountNodesForWithin(below, 1.1 * height));
+      nodes += static_cast<double>(search.CountNodesForClosest(above)) / 100;
+    }
+    EXPECT_LT(nodes, height < 1e-6 ? 1.5 : 14.0) << height; // 30 from 10 above rounded boxes.
+  }
+}
+
 TEST(TestPointSearchFacts, NoPositionIsSlowBesideADenseSpot)
 {
   // From afar all points of the spot are equally close to a float, and all but one to the eye.
