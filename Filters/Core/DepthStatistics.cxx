@@ -62,15 +62,15 @@ int GetMedianDepth(const DepthHistogram& histogram)
 
 int GetMeanDepth(const DepthHistogram& histogram)
 {
-  double sum = 0.0;
-  double total = 0.0;
+  __extension__ using Whole = unsigned __int128; // Weights may have 64 bits.
+  Whole sum = 0;
+  Whole total = 0;
   for (std::size_t depth = 0; depth < histogram.size(); ++depth)
   {
-    const double weight = static_cast<double>(histogram[depth]);
-    sum += weight * static_cast<double>(depth);
-    total += weight;
+    sum += Whole(histogram[depth]) * depth;
+    total += histogram[depth];
   }
-  return total > 0.0 ? static_cast<int>(std::floor(sum / total + 0.5)) : 0;
+  return total > 0 ? static_cast<int>((2 * sum + total) / (2 * total)) : 0;
 }
 
 int GetStartDepth(const DepthHistogram& histogram, const StartDepthOptions& options)

@@ -17,9 +17,9 @@ enum class FrequencyModel
   Grid
 };
 
-/** Where direct searches start (paper section 4): at the weighted median of the leaves'
- * depths, at their weighted mean, at the root, at a given depth, or at the median of the leaves
- * near the position (StartDepths.h). */
+/** Where direct searches start: at the weighted median of the leaves' depths, at their weighted
+ * mean, at the root, at a given depth (paper section 4), or at the median of the leaves near the
+ * position (StartDepths.h), which the paper does not have. */
 enum class StartDepthModel
 {
   Median,

@@ -47,23 +47,32 @@ void StartDepths<Dim>::ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequ
   constexpr std::size_t numberOfCells = std::size_t(1) << (Dim * LocalDepth);
   const auto numberOfDepths = static_cast<std::size_t>(tree.GetDeepestDepth()) + 1;
   std::vector<std::uint64_t> weights(numberOfCells * numberOfDepths);
+  std::vector<std::uint64_t> leaves(numberOfCells * numberOfDepths);
   ForEachLeaf(tree, frequency,
-    [&weights, numberOfDepths](const typename Octree<Dim>::Node& leaf, std::uint64_t weight)
+    [&](const typename Octree<Dim>::Node& leaf, std::uint64_t weight)
     {
       const auto depth = static_cast<std::size_t>(leaf.NodeKey.GetDepth());
       const std::size_t last = GetCoarseCell(leaf.NodeKey.GetLastAtMaxDepth());
       for (auto cell = GetCoarseCell(leaf.NodeKey.GetFirstAtMaxDepth()); cell <= last; ++cell)
       {
-        // Places without points have a depth, too.
-        weights[cell * numberOfDepths + depth] += std::max<std::uint64_t>(weight, 1);
+        weights[cell * numberOfDepths + depth] += weight;
+        ++leaves[cell * numberOfDepths + depth];
       }
     });
   this->Local.resize(numberOfCells);
   DepthHistogram histogram;
+  const auto choose = [&](const std::vector<std::uint64_t>& ofCells, std::size_t cell)
+  {
+    const std::uint64_t* first = &ofCells[cell * numberOfDepths];
+    histogram.assign(first, first + numberOfDepths);
+  };
   for (std::size_t cell = 0; cell < numberOfCells; ++cell)
   {
-    const std::uint64_t* first = &weights[cell * numberOfDepths];
-    histogram.assign(first, first + numberOfDepths);
+    choose(weights, cell);
+    if (GetTotal(histogram) == 0)
+    {
+      choose(leaves, cell); // Places without points have a depth, too.
+    }
     this->Local[cell] = static_cast<std::uint8_t>(GetMedianDepth(histogram));
   }
 }

@@ -22,7 +22,8 @@ int GetStartDepth(const Octree<Dim>& tree, const StartDepthOptions& options)
  * the whole tree. Local has one for each cell of a coarse grid, the weighted median of the leaves
  * in that cell, so that where leaves lie at different depths in different places (the mixed models
  * that the paper ends with) each place has its own; a coarse cell inside one leaf takes that leaf's
- * depth. There the Points model counts an empty leaf as one point.
+ * depth. In a coarse cell without any weight, one without points by the Points model, each leaf
+ * weighs one.
  *
  * Immutable; thread safe.
  */

@@ -2,8 +2,8 @@
 """Batches of searches of vtkHashedOctreePointLocator, NumPy arrays in and out.
 
 Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read where they are. Masked
-arrays (whether a value is masked or not), also as rows of a list, and what is no real number
-(complex numbers, strings, dates, None), also in arrays of objects, are a TypeError. Results are
+arrays (whether a value is masked or not), also as rows of a list or values in them, and what is no
+real number (complex numbers, strings, dates, None), also in arrays of objects, are a TypeError. Results are
 views of the memory that the search filled, nothing is copied: ids are int64, squared distances
 float64. A batch that could not be done is a RuntimeError that says why: not enough memory, or
 stopped by AbortBatch(). One position at a time is faster searched for by the locator's own methods,
@@ -15,6 +15,7 @@ stop a batch from Python; VTK wants it added in the thread that runs the batch, 
 on Ctrl-C while one is called.
 """
 from decimal import Decimal
+from itertools import chain
 from numbers import Real
 
 import numpy
@@ -60,7 +61,7 @@ def find_points_within_radius(locator, radius, positions):
     (m + 1,), ids and squared distances. Those of position i are ids[offsets[i]:offsets[i + 1]].
     Takes up to 32 bytes for each point found while it runs, 16 afterwards."""
     number = numpy.asarray(radius)
-    if number.size != 1 or number.dtype.kind not in "biuf":
+    if numpy.ma.isMaskedArray(radius) or number.size != 1 or number.dtype.kind not in "biuf":
         raise TypeError(f"radius must be one real number for all positions, not {radius!r}")
     offsets, ids, dist2 = vtkIdTypeArray(), vtkIdTypeArray(), vtkDoubleArray()
     _run(locator, locator.FindPointsWithinRadius, number.item(), _view(positions), offsets, ids, dist2)
@@ -70,7 +71,8 @@ def find_points_within_radius(locator, radius, positions):
 def _view(positions):
     """A VTK array over the positions, which keeps them alive."""
     rows = positions if isinstance(positions, (list, tuple)) else ()
-    if any(map(numpy.ma.isMaskedArray, (positions, *rows))):
+    values = (value for row in rows if isinstance(row, (list, tuple)) for value in row)
+    if any(map(numpy.ma.isMaskedArray, chain((positions,), rows, values))):
         raise TypeError("positions must not be a masked array; give the values that count")
     positions = numpy.asarray(positions, order="C")
     if positions.dtype.kind not in "biufO":

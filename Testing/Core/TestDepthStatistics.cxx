@@ -44,6 +44,10 @@ TEST(TestDepthStatistics, MeanDepthIsRounded)
   EXPECT_EQ(GetMeanDepth({ 0, 1, 1 }), 2) << "one and a half goes up";
   EXPECT_EQ(GetMeanDepth({ 0, 2, 1 }), 1);
   EXPECT_EQ(GetMeanDepth({ 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 }), 1);
+  // To the last digit, also beyond those of a double.
+  const std::uint64_t many = std::uint64_t(1) << 62;
+  EXPECT_EQ(GetMeanDepth({ many, many }), 1);
+  EXPECT_EQ(GetMeanDepth({ many + 1, many }), 0);
 }
 
 TEST(TestDepthStatistics, MedianCostsTheLeast)

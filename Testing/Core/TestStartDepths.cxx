@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 
 using namespace hashedoctree;
@@ -56,30 +57,51 @@ TEST(TestStartDepthsFacts, OneForTheTreeByEachModel)
   EXPECT_EQ(StartDepths<3>().Get(key), 0);
 }
 
-TYPED_TEST(TestStartDepths, LocalIsTheMedianOfTheLeavesNearby)
+TYPED_TEST(TestStartDepths, LocalIsTheWeightedMedianOfTheLeavesNearby)
 {
   constexpr int dim = TypeParam::value;
   const SampleTree<dim, double> made(MakeTwoDensities<dim>());
   constexpr int depth = StartDepths<dim>::LocalDepth;
-  std::map<std::uint64_t, DepthHistogram> histograms;
+  const int deepest = made.Tree.GetDeepestDepth();
+  // By coarse cell; without points, all leaves weigh the same.
+  std::map<std::uint64_t, std::array<DepthHistogram, 3>> histograms;
   ForEachNode(made.Tree,
     [&](const auto& node)
     {
-      if (!node.Internal && node.NodeKey.GetDepth() >= depth)
+      const int nodeDepth = node.NodeKey.GetDepth();
+      if (!node.Internal && nodeDepth >= depth)
       {
-        auto& histogram = histograms[node.NodeKey.GetFirstAtMaxDepth().AtDepth(depth).GetValue()];
-        histogram.resize(MortonKey<dim>::MaxDepth + 1);
-        ++histogram[static_cast<std::size_t>(node.NodeKey.GetDepth())];
+        const std::uint64_t weights[]{ 1, node.GetNumberOfPoints(),
+          std::uint64_t(1) << (dim * (deepest - nodeDepth)) };
+        auto& ofCell = histograms[node.NodeKey.GetFirstAtMaxDepth().AtDepth(depth).GetValue()];
+        for (std::size_t model = 0; model < ofCell.size(); ++model)
+        {
+          ofCell[model].resize(MortonKey<dim>::MaxDepth + 1);
+          ofCell[model][static_cast<std::size_t>(nodeDepth)] += weights[model];
+        }
       }
     });
-  const StartDepths<dim> starts(made.Tree, { StartDepthModel::Local, FrequencyModel::Leaves, 0 });
-  for (const auto& [key, histogram] : histograms)
+  std::array<int, 3> without{};
+  for (std::size_t model = 0; model < without.size(); ++model)
   {
-    EXPECT_EQ(starts.Get(MortonKey<dim>(key).GetFirstAtMaxDepth()), GetMedianDepth(histogram));
+    const StartDepths<dim> starts(
+      made.Tree, { StartDepthModel::Local, static_cast<FrequencyModel>(model), 0 });
+    for (const auto& [key, ofCell] : histograms)
+    {
+      const bool hasWeight = GetTotal(ofCell[model]) > 0;
+      without[model] += hasWeight ? 0 : 1;
+      ASSERT_EQ(starts.Get(MortonKey<dim>(key).GetFirstAtMaxDepth()),
+        GetMedianDepth(ofCell[hasWeight ? model : 0]))
+        << model;
+    }
+    EXPECT_EQ(starts.GetBytes(), 4096U);
+    EXPECT_EQ(starts.GetOfTree(),
+      GetMedianDepth(
+        GetDepthHistogram(made.Tree.GetDepthCounts(), static_cast<FrequencyModel>(model), dim)));
   }
   EXPECT_GT(histograms.size(), 1000U);
-  EXPECT_EQ(starts.GetBytes(), 4096U);
-  EXPECT_EQ(starts.GetOfTree(), GetMedianDepth(made.Tree.GetDepthCounts().Leaves));
+  EXPECT_GT(without[1], 10);
+  EXPECT_EQ(without[0] + without[2], 0);
 }
 
 TYPED_TEST(TestStartDepths, LocalTakesTheDepthOfALeafThatIsLarger)

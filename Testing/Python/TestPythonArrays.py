@@ -91,7 +91,8 @@ expect_error(ValueError, find_closest_points, locator, numpy.zeros((4, 2)))
 expect_error(TypeError, find_closest_points, locator, numpy.zeros((4, 3), dtype=complex))
 expect_error(TypeError, find_closest_points, locator, numpy.ma.masked_less(numpy.zeros((4, 3)), 1))
 masked_row = numpy.ma.masked_less(numpy.arange(3.0), 1)
-for rows in ([masked_row, masked_row], (masked_row,), [[0, 0, 0], masked_row]):
+for rows in ([masked_row, masked_row], (masked_row,), [[0, 0, 0], masked_row],
+             [(0, 0, 0), (numpy.ma.masked, 0, 0)]):
     expect_error(TypeError, find_closest_points, locator, rows)
 expect_error(TypeError, find_closest_points, locator, [["1", "2", "3"]])
 expect_error(TypeError, find_closest_points, locator, numpy.zeros((4, 3), dtype="datetime64[s]"))
@@ -105,7 +106,7 @@ truths = numpy.array([[True, numpy.True_, numpy.False_]], dtype=object)
 assert find_closest_points(locator, truths) == find_closest_points(locator, [[1.0, 1.0, 0.0]])
 for radius in (numpy.array([0.5]), numpy.float32(0.5), numpy.int8(1), True, 0.5):
     assert find_points_within_radius(locator, radius, numpy.zeros((2, 3)))[0].shape == (3,)
-for radius in (numpy.zeros(2), [], "0.5", None, 1j):
+for radius in (numpy.zeros(2), [], "0.5", None, 1j, numpy.ma.masked, numpy.ma.array(0.5)):
     expect_error(TypeError, find_points_within_radius, locator, radius, numpy.zeros((2, 3)),
                  words="radius must be one real number")
 
