@@ -124,8 +124,7 @@ private:
     return depths;
   }
 
-  /** The branching of the points of a large node, as some of them have it: of all depths but the
-   * last ones together. */
+  /** The branching of the points of a large node below it, measured on some of them. */
   static double EstimateBranching(const Point* points, std::size_t count, int depth)
   {
     const int depths = std::min(Digit<Dim>::MostSparseDepths, MortonKey<Dim>::MaxDepth - depth);
@@ -188,21 +187,20 @@ private:
     this->ForChunks(count, chunkSize,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
       { Scatter(from + first, from + last, digit, &counts[chunk * places], to); });
-    std::vector<Range> parts;
+    std::size_t occupied = 0;
+    for (std::size_t place = 0; place < places; ++place)
+    {
+      occupied += starts[place] != starts[place + 1] ? 1 : 0;
+    }
+    const double branching = GetBranching(occupied, depths);
     for (std::size_t place = places; place-- > 0;)
     {
       if (starts[place] != starts[place + 1])
       {
-        parts.push_back(Range{ range.First + starts[place], range.First + starts[place + 1],
-          range.Depth + depths, !range.InScratch, Dim });
+        rest.push_back(Range{ range.First + starts[place], range.First + starts[place + 1],
+          range.Depth + depths, !range.InScratch, branching });
       }
     }
-    const double branching = GetBranching(parts.size(), depths);
-    for (Range& part : parts)
-    {
-      part.Branching = branching;
-    }
-    rest.insert(rest.end(), parts.begin(), parts.end());
   }
 
   static void CountDigits(

@@ -17,7 +17,7 @@
 namespace hashedoctree
 {
 /**
- * A ball around the center of a node (paper section 3c), in the grid of a tree. Lengths are in half
+ * A ball around the center of a node (paper section 2), in the grid of a tree. Lengths are in half
  * cells of MaxDepth, in which the corners and centers of all nodes are integers, so that what
  * rounds is only this: the radius, which is radius / side of the root * 2^(MaxDepth + 1) in double;
  * its square; and the sum of the squared distances on each axis, which are integers. Its order does

@@ -48,7 +48,7 @@ inline int GetNumberOfClosest(Operation operation)
 
 inline const std::vector<std::string>& GetQueryNames()
 {
-  static const std::vector<std::string> names{ "near", "uniform", "ordered" };
+  static const std::vector<std::string> names{ "near", "uniform", "ordered", "points", "above" };
   return names;
 }
 

@@ -217,11 +217,11 @@ std::string GetHelp()
   return "Compares point locators in turns, and writes locator.md and locator.json.\n"
          "  --data LIST             of " +
     Join(GetSampleNames()) +
-    "; default: all but tails\n"
+    "; default: all but tails and plane\n"
     "  --sizes LIST            numbers of points; default 10000,100000,1000000\n"
     "  --queries LIST          of " +
     Join(GetQueryNames()) +
-    "; default: all but ordered\n"
+    "; default: near and uniform\n"
     "  --operations LIST       of " +
     Join(GetOperationNames()) +
     "; default: all but closest100\n"

@@ -93,6 +93,15 @@ LocatorQueries MakeQueries(const LocatorData& data, LocatorPeer& locator, std::s
     queries.Uniform.push_back(MakeUniformPosition(bounds, random));
   }
   queries.Ordered = MakeOrderedPositions(data, locator, count, random);
+  const double side =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const float* point = data.GetPoint(random() % data.GetNumberOfPoints());
+    queries.Points.push_back({ point[0], point[1], point[2] });
+    queries.Above.push_back(MakeUniformPosition(bounds, random));
+    queries.Above.back()[2] = bounds[5] + 10.0 * side;
+  }
   queries.Radius = MakeRadius(data, locator, queries.Near);
   return queries;
 }

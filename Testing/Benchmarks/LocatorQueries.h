@@ -17,12 +17,20 @@ struct LocatorQueries
   /** Moved points, too, but in runs of neighbours along the Morton curve: what one search has
    * loaded is there for the next, as when a filter asks for each point of a scan. */
   std::vector<Position> Ordered;
+  /** Points of the data, in random order. */
+  std::vector<Position> Points;
+  /** Above the box along z by ten times its largest side. */
+  std::vector<Position> Above;
   /** Median distance from the near positions to their 30th closest point. */
   double Radius;
 
   const std::vector<Position>& Get(const std::string& kind) const
   {
-    return kind == "near" ? this->Near : kind == "uniform" ? this->Uniform : this->Ordered;
+    return kind == "near" ? this->Near
+      : kind == "uniform" ? this->Uniform
+      : kind == "ordered" ? this->Ordered
+      : kind == "points"  ? this->Points
+                          : this->Above;
   }
 };
 

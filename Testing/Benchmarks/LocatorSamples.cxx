@@ -139,6 +139,17 @@ std::vector<float> MakeTails(std::size_t count, unsigned seed)
   return coordinates;
 }
 
+/** In a square across z. */
+std::vector<float> MakePlane(std::size_t count, unsigned seed)
+{
+  std::vector<float> coordinates = MakeUniformPoints<3, float>(count, seed);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    coordinates[3 * i + 2] = 0.0F;
+  }
+  return coordinates;
+}
+
 /** A sphere whose points stand there six times each, as the corners of triangles that share none.
  */
 std::vector<float> MakeDuplicates(std::size_t count, unsigned seed)
@@ -191,14 +202,18 @@ std::vector<float> MakeCoordinates(
   {
     return MakeDuplicates(count, seed);
   }
-  return name == "outlier" ? MakeOutlier(count, seed) : MakeTails(count, seed);
+  if (name == "outlier")
+  {
+    return MakeOutlier(count, seed);
+  }
+  return name == "tails" ? MakeTails(count, seed) : MakePlane(count, seed);
 }
 }
 
 const std::vector<std::string>& GetSampleNames()
 {
   static const std::vector<std::string> names{ "terrain", "cube", "sphere", "clusters", "filaments",
-    "duplicates", "outlier", "tails" };
+    "duplicates", "outlier", "tails", "plane" };
   return names;
 }
 

@@ -25,7 +25,14 @@ OPERATIONS = {
     "closest100": "100 closest points",
     "radius": "Points within a radius",
 }
-QUERIES = {"near": "near the points", "uniform": "uniform in the box", "ordered": "near, in order", "-": ""}
+QUERIES = {
+    "near": "near the points",
+    "uniform": "uniform in the box",
+    "ordered": "near, in order",
+    "points": "at the points",
+    "above": "far above",
+    "-": "",
+}
 # The colours can be told apart by the colour-blind; ours are solid, the others dashed.
 PEERS = {
     "local": ("ours, local", "#009E73", "o-"),

@@ -10,7 +10,7 @@ sys.path.insert(0, os.path.join(octreetesting.argument("-D"), "..", "Testing", "
 import draw_paper
 import matplotlib.pyplot as plt
 import paper_scenes
-from paper_charts import get_continuous_cost, get_minimisers
+from paper_charts import draw_start_depths, get_continuous_cost, get_minimisers
 
 paper_scenes.SIDE, paper_scenes.QUERIES_TRIED = 400, 60  # enough to see that something is drawn
 folder = octreetesting.argument("-T")
@@ -32,6 +32,18 @@ for number, (width, height) in draw_paper.SIZES.items():
     colored = (np.ptp(picture, axis=2) > 0.2).mean()
     assert colored > 0.001, (name, colored)
     assert f"### Figure {number}: " in markdown and f"]({name})" in markdown, name
+
+# Figure 1 marks the root, the median and the deepest depth, each at its cost.
+scan = draw_paper.PointSet(folder, *draw_paper.SCAN)
+axes = plt.figure().subplots()
+draw_start_depths(axes, scan)
+marks = {line.get_label().split(":")[0]: (line.get_xdata()[0], line.get_ydata()[0]) for line in axes.get_lines()[1:]}
+depths = np.repeat(np.arange(len(scan.histogram["Leaves"])), scan.histogram["Leaves"])
+expected = {"top-down": 0, "statistical": np.sort(depths)[(len(depths) - 1) // 2], "bottom-up": depths.max()}
+assert marks.keys() == expected.keys(), marks
+for name, depth in expected.items():
+    assert marks[name][0] == depth, (name, marks[name], depth)
+    assert np.isclose(marks[name][1], (1 + np.abs(depths - depth)).mean(), rtol=1e-12), (name, marks[name])
 
 # What is drawn between the values of the filter goes through them, and E9 holds.
 for name, paper_name in (draw_paper.SCAN, draw_paper.STADIUM):
