@@ -16,16 +16,21 @@ namespace hashedoctree
  * Has the system hand out the pages of an array that nothing was written to yet: in order, each to
  * one thread, with looks at progress, which stays at 0, in between. For memory that is filled at
  * random: otherwise the first values wait for all pages, and several threads at once clear the same
- * ones. On virtual machines a large page can take milliseconds. Zeroed memory stays so. O(pages).
+ * ones. On virtual machines a large page can take milliseconds. Zeroed memory stays so. Small
+ * arrays, which have no large pages, are left as they are. O(pages).
  */
 template <typename T>
 void TouchPages(T* values, std::size_t size, const Execution& execution)
 {
   constexpr std::size_t slice = 4 * LargePageSize; // Between two looks at progress.
+  if (size * sizeof(T) < FirstLargeSize)
+  {
+    return;
+  }
   char* const memory = reinterpret_cast<char*>(values);
   // Where it begins in its first large page, from which bytes are counted.
   const std::size_t begin = reinterpret_cast<std::uintptr_t>(memory) % LargePageSize;
-  const std::size_t end = size > 0 ? begin + size * sizeof(T) : 0;
+  const std::size_t end = begin + size * sizeof(T);
   for (std::size_t done = 0; done < end; done += slice)
   {
     execution.ForChunks(

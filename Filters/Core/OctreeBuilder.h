@@ -72,30 +72,24 @@ private:
     PerDepth LastBegin{};
   };
 
-  /** Depths [First, Last] of the internal nodes that begin at point i; none if First > Last. */
-  struct DepthRange
-  {
-    int First;
-    int Last;
-  };
-  DepthRange GetInternalNodesAt(std::size_t i) const
+  /** The key of the point before one, or one that has no depth in common with any. */
+  Key GetKeyBefore(std::size_t i) const { return i == 0 ? Key() : this->Points[i - 1].GetKey(); }
+
+  /** The depth of the deepest internal node that may begin at point i, given the key before: those
+   * below what both have in common do, down to it. -1 for none. */
+  int GetDeepestAt(std::size_t i, Key before) const
   {
     const std::size_t most = this->Tree.BuildOptions.MaxPointsPerLeaf;
-    DepthRange depths{ 0, -1 };
     if (most >= this->Points.GetSize() - i)
     {
-      return depths;
+      return -1;
     }
     const Key key = this->Points[i].GetKey();
     const Key after = this->Points[i + most].GetKey();
-    const Key before = i == 0 ? Key() : this->Points[i - 1].GetKey();
     // Says no for most points, at once.
-    if ((key.GetValue() ^ after.GetValue()) < (key.GetValue() ^ before.GetValue()))
-    {
-      depths.Last = std::min(Key::GetCommonDepth(key, after), this->Tree.BuildOptions.MaxDepth - 1);
-      depths.First = i == 0 ? 0 : Key::GetCommonDepth(before, key) + 1;
-    }
-    return depths;
+    return (key.GetValue() ^ after.GetValue()) < (key.GetValue() ^ before.GetValue())
+      ? std::min(Key::GetCommonDepth(key, after), this->Tree.BuildOptions.MaxDepth - 1)
+      : -1;
   }
 
   /** Fills ChunksBefore, and copies the ids, since it reads all points anyway. */
@@ -111,8 +105,14 @@ private:
         for (std::size_t i = first; i < last; ++i)
         {
           this->Tree.PointIds[i] = this->Points[i].GetId();
-          const DepthRange depths = this->GetInternalNodesAt(i);
-          for (int depth = depths.First; depth <= depths.Last; ++depth)
+          const Key before = this->GetKeyBefore(i);
+          const int deepest = this->GetDeepestAt(i, before);
+          if (deepest < 0)
+          {
+            continue;
+          }
+          const int common = Key::GetCommonDepth(before, this->Points[i].GetKey());
+          for (int depth = common + 1; depth <= deepest; ++depth)
           {
             ++here.Nodes[static_cast<std::size_t>(depth)];
             here.LastBegin[static_cast<std::size_t>(depth)] = i + 1;
@@ -150,29 +150,27 @@ private:
       { this->PlaceNodesOf(this->ChunksBefore[chunk], first, last); });
   }
 
-  void PlaceNodesOf(const Before& before, std::size_t first, std::size_t last)
+  void PlaceNodesOf(const Before& chunk, std::size_t first, std::size_t last)
   {
-    PerDepth next = before.Nodes;
-    int deepest = this->GetDeepestBefore(before, first);
+    PerDepth next = chunk.Nodes;
+    int deepest = this->GetDeepestBefore(chunk, first);
     std::uint64_t keysOfLeaf = CountKeysBelow(deepest);
     for (std::size_t i = first; i < last; ++i)
     {
       const Key key = this->Points[i].GetKey();
-      int common = -1;
+      const Key before = this->GetKeyBefore(i);
+      if ((before.GetValue() ^ key.GetValue()) < keysOfLeaf)
+      {
+        continue; // In the same leaf.
+      }
+      const int common = Key::GetCommonDepth(before, key);
       if (i > 0)
       {
-        const Key previous = this->Points[i - 1].GetKey();
-        if ((previous.GetValue() ^ key.GetValue()) < keysOfLeaf)
-        {
-          continue; // In the same leaf.
-        }
-        common = Key::GetCommonDepth(previous, key);
         this->EndChildren(next, i, common, deepest);
       }
-      const DepthRange depths = this->GetInternalNodesAt(i);
-      deepest = std::max(common, depths.Last);
+      deepest = std::max(common, this->GetDeepestAt(i, before));
       keysOfLeaf = CountKeysBelow(deepest);
-      for (int depth = depths.First; depth <= depths.Last; ++depth)
+      for (int depth = common + 1; depth <= deepest; ++depth)
       {
         const auto d = static_cast<std::size_t>(depth);
         const std::size_t node = next[d]++;

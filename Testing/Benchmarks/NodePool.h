@@ -2,14 +2,15 @@
 #ifndef Testing_Benchmarks_NodePool_h
 #define Testing_Benchmarks_NodePool_h
 
-#include "LargePagesAllocator.h"
+#include "Buffer.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-/** Memory for the nodes of a tree with pointers: in pieces as large as all before, so that nodes
- * never move, siblings stand side by side, and none costs an allocation of its own. */
+/** Memory for the nodes of a tree with pointers, from where our own trees have it: in pieces as
+ * large as all before, so that nodes never move, siblings stand side by side, and none costs an
+ * allocation of its own. */
 template <typename Node, std::size_t NodesOfFamily>
 class NodePool
 {
@@ -24,14 +25,16 @@ public:
     }
     Piece& piece = this->Pieces.back();
     ++this->Families;
-    return &piece[piece.size() - this->Free-- * NodesOfFamily];
+    Node* siblings = &piece[piece.GetSize() - this->Free-- * NodesOfFamily];
+    std::fill_n(siblings, NodesOfFamily, Node{});
+    return siblings;
   }
 
   /** Bytes of the nodes that were added. */
   std::size_t GetBytes() const { return this->Families * NodesOfFamily * sizeof(Node); }
 
 private:
-  using Piece = std::vector<Node, LargePagesAllocator<Node>>;
+  using Piece = hashedoctree::Buffer<Node>;
   static constexpr std::size_t FamiliesOfFirstPiece = 256;
 
   std::vector<Piece> Pieces;
