@@ -108,6 +108,17 @@ public:
       (radius2 + Underflow) * scale < margin * margin * (1.0 - RelativeRounding);
   }
 
+  /** No point is nearer to the center than this, as far as flat axes tell; 0 without any. */
+  double GetLeastDistance() const
+  {
+    double least = 0.0;
+    for (int axis = 0; this->Flat != 0 && axis < Dim; ++axis)
+    {
+      least = (this->Flat >> axis & 1U) != 0 ? std::max(least, -this->Place[axis]) : least;
+    }
+    return least;
+  }
+
   /** Depth of the smallest cell that holds the ball. */
   int GetDepth() const { return this->Depth; }
   /** The deepest depth whose cells are as wide as the ball, so that 2^Dim of them cover it. */

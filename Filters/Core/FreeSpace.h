@@ -40,7 +40,8 @@ public:
     const auto side = static_cast<double>(std::uint64_t(1) << (Key::MaxDepth - this->Depth));
     // From outside: the nearest place in the root is no further from any point.
     const double room = std::max(ball.GetRoom(this->Depth), 0.0);
-    return reach < room + side * (static_cast<double>(this->GetCellsToPoints(ball)) - 1.0);
+    const double toPoints = room + side * (static_cast<double>(this->GetCellsToPoints(ball)) - 1.0);
+    return reach < std::max(toPoints, ball.GetLeastDistance());
   }
   /** The same of the coarse cell that its center lies in, or is nearest to. */
   bool HoldsHomeOf(const BallInGrid<Dim>& ball) const { return this->GetCellsToPoints(ball) != 0; }

@@ -185,6 +185,8 @@ TYPED_TEST(TestBallInGrid, NothingLimitsItAlongFlatAxes)
   EXPECT_EQ(ball.GetRoom(3), MortonKey<dim>::CellsPerSide / 16.0);
   EXPECT_TRUE(ball.FitsInCell(3, 0.99 / 256.0));
   EXPECT_FALSE(ball.FitsInCell(3, 1.01 / 256.0));
+  EXPECT_EQ(ball.GetLeastDistance(), dim > 1 ? 0.25 * MortonKey<dim>::CellsPerSide : 0.0);
+  EXPECT_EQ(BallInGrid<dim>(grid, center).GetLeastDistance(), 0.0);
   for (int axis = 1; axis < dim; ++axis)
   {
     EXPECT_EQ(ball.GetHome()[axis], 0U);

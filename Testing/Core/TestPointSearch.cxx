@@ -237,6 +237,7 @@ TEST(TestPointSearchFacts, BothSidesOfAPlaneAreAlike)
       ASSERT_EQ(search.CountNodesForClosest(above, 8), search.CountNodesForClosest(below, 8));
       ASSERT_EQ(search.CountNodesForWithin(above, 1.1 * height),
         search.CountNodesForWithin(below, 1.1 * height));
+      ASSERT_EQ(search.CountNodesForWithin(above, 0.9 * height), 0U) << "no point can be there";
       nodes += static_cast<double>(search.CountNodesForClosest(above)) / 100;
     }
     EXPECT_LT(nodes, height < 1e-6 ? 1.5 : 14.0) << height; // 30 from 10 above rounded boxes.
