@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthStatistics.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <numeric>
 

@@ -4,6 +4,8 @@
 
 #include "Grid.h"
 
+#include <algorithm>
+
 namespace hashedoctree
 {
 /**
