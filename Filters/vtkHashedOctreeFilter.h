@@ -102,8 +102,8 @@ public:
   ///@{
   /** Whether CustomBounds gives the root instead of the points' own bounds, so that trees of
    * different points share one grid. Points outside CustomBounds are left out and counted, of
-   * quadtrees too; points on its faces are inside. A block or a piece with all of its points outside
-   * has no tree, and so nothing that counts them. Default off. */
+   * quadtrees too; points on its faces are inside. A block or a piece with all of its points
+   * outside has no tree, and so nothing that counts them. Default off. */
   vtkSetMacro(UseCustomBounds, bool);
   vtkGetMacro(UseCustomBounds, bool);
   vtkBooleanMacro(UseCustomBounds, bool);

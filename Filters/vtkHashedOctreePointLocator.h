@@ -44,15 +44,15 @@
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
  * the data set may be changed, emptied or replaced between queries. A change inside its cells or
  * attributes asks for no new tree of vtkPolyData, vtkStructuredGrid or vtkUnstructuredGrid with
- * vtkPoints in a vtkFloatArray or vtkDoubleArray, but new cells of the first two do (SetPolys()); of
- * other data, and of classes derived from these, every change that GetMTime() tells of does. (After one in the
- * coordinate arrays of a vtkRectilinearGrid, call its Modified().) After BuildLocator(), called
- * directly or by a query, the queries are thread safe as long as nothing is modified. The build
- * runs on the threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2
- * points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not
- * enough memory, is an error, after which queries find nothing. A query that has not enough memory
- * for what it finds is an error, too, and finds nothing; so is one without a list to put its ids
- * into.
+ * vtkPoints in a vtkFloatArray or vtkDoubleArray, but new cells of the first two do (SetPolys());
+ * of other data, and of classes derived from these, every change that GetMTime() tells of does.
+ * (After one in the coordinate arrays of a vtkRectilinearGrid, call its Modified().) After
+ * BuildLocator(), called directly or by a query, the queries are thread safe as long as nothing is
+ * modified. The build runs on the threads of vtkSMPTools; its result does not depend on their
+ * number. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal
+ * nodes; more, or not enough memory, is an error, after which queries find nothing. A query that
+ * has not enough memory for what it finds is an error, too, and finds nothing; so is one without a
+ * list to put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones

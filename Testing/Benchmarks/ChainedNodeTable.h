@@ -2,7 +2,7 @@
 #ifndef Testing_Benchmarks_ChainedNodeTable_h
 #define Testing_Benchmarks_ChainedNodeTable_h
 
-#include "LargePagesAllocator.h"
+#include "LargePagesResource.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,11 +18,11 @@ template <typename Node, typename Hash>
 class ChainedNodeTable
 {
 public:
-  using NodeVector = std::vector<Node, LargePagesAllocator<Node>>;
+  using NodeVector = std::pmr::vector<Node>;
 
   explicit ChainedNodeTable(const Hash& hash)
     : Slots(hash)
-    , Nodes(hash.GetNumberOfSlots())
+    , Nodes(hash.GetNumberOfSlots(), GetLargePages())
   {
   }
 
