@@ -71,6 +71,11 @@ HASHEDOCTREE_INLINE void ComputeToFarthest(const OfOctants<Dim, T>* lower,
   }
 }
 
+/** What measures the boxes of some octants: one of these. */
+template <int Dim, typename T>
+using ComputeOf = void (*)(
+  const OfOctants<Dim, T>*, const OfOctants<Dim, T>*, const double*, OfOctants<Dim, T>&);
+
 template <int Dim, typename Real>
 struct Plain
 {
@@ -159,13 +164,8 @@ struct Plain
   }
 
 private:
-  /** What measures the boxes of some octants. */
-  template <typename T>
-  using Compute = void (*)(
-    const OfOctants<Dim, T>*, const OfOctants<Dim, T>*, const double*, OfOctants<Dim, T>&);
-
   /** Calls function(octant, dist2) for the box of each octant. */
-  template <typename T, Compute<T> Measure, typename Function>
+  template <typename T, ComputeOf<Dim, T> Measure, typename Function>
   static void ForOctants(
     const ChildBoxes<Dim>& boxes, const double* steps, const Function& function)
   {
@@ -354,35 +354,22 @@ struct Avx2Boxes
   HASHEDOCTREE_WITH_AVX2 static unsigned ToBoxesFromAfar(
     const ChildBoxes<3>& boxes, const double* steps, double limit, double* dist2)
   {
-    unsigned mask = 0;
-    for (unsigned first = 0; first < MortonKey<3>::NumberOfOctants; first += 4)
-    {
-      OfOctants<3, double> lower[3];
-      OfOctants<3, double> upper[3];
-      Convert(boxes, first, lower, upper);
-      OfOctants<3, double> four;
-      ComputeToBoxes<3, double>(lower, upper, steps, four);
-      _mm256_storeu_pd(dist2 + first, four);
-      const __m256d isWithin = _mm256_cmp_pd(four, _mm256_set1_pd(limit), _CMP_NGT_UQ);
-      mask |= static_cast<unsigned>(_mm256_movemask_pd(isWithin)) << first;
-    }
-    return mask;
+    OfOctants<3, double> all[2];
+    MeasureFromAfar<ComputeToBoxes<3, double>>(boxes, steps, all);
+    _mm256_storeu_pd(dist2, all[0]);
+    _mm256_storeu_pd(dist2 + 4, all[1]);
+    const __m256d limits = _mm256_set1_pd(limit);
+    return GetMask(
+      _mm256_cmp_pd(all[0], limits, _CMP_NGT_UQ), _mm256_cmp_pd(all[1], limits, _CMP_NGT_UQ));
   }
   HASHEDOCTREE_WITH_AVX2 static unsigned ToWholeBoxesFromAfar(
     const ChildBoxes<3>& boxes, const double* steps, double limit)
   {
-    unsigned mask = 0;
-    for (unsigned first = 0; first < MortonKey<3>::NumberOfOctants; first += 4)
-    {
-      OfOctants<3, double> lower[3];
-      OfOctants<3, double> upper[3];
-      Convert(boxes, first, lower, upper);
-      OfOctants<3, double> four;
-      ComputeToFarthest<3, double>(lower, upper, steps, four);
-      const __m256d isWhole = _mm256_cmp_pd(four, _mm256_set1_pd(limit), _CMP_LT_OQ);
-      mask |= static_cast<unsigned>(_mm256_movemask_pd(isWhole)) << first;
-    }
-    return mask;
+    OfOctants<3, double> all[2];
+    MeasureFromAfar<ComputeToFarthest<3, double>>(boxes, steps, all);
+    const __m256d limits = _mm256_set1_pd(limit);
+    return GetMask(
+      _mm256_cmp_pd(all[0], limits, _CMP_LT_OQ), _mm256_cmp_pd(all[1], limits, _CMP_LT_OQ));
   }
   HASHEDOCTREE_WITH_AVX2 static unsigned ToWholeBoxes(
     const ChildBoxes<3>& boxes, const double* steps, float limit)
@@ -425,17 +412,28 @@ private:
       upper[axis] = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadu_si64(boxes.Upper[axis])));
     }
   }
-  /** Of four octants. */
-  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static void Convert(const ChildBoxes<3>& boxes,
-    unsigned first, OfOctants<3, double>* lower, OfOctants<3, double>* upper)
+  /** Squared distances of the boxes of all octants, four at a time. */
+  template <ComputeOf<3, double> Measure>
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static void MeasureFromAfar(
+    const ChildBoxes<3>& boxes, const double* steps, OfOctants<3, double>* all)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    for (unsigned first = 0; first < MortonKey<3>::NumberOfOctants; first += 4)
     {
-      lower[axis] =
-        _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Lower[axis] + first)));
-      upper[axis] =
-        _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Upper[axis] + first)));
+      OfOctants<3, double> lower[3];
+      OfOctants<3, double> upper[3];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        lower[axis] =
+          _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Lower[axis] + first)));
+        upper[axis] =
+          _mm256_cvtepi32_pd(_mm_cvtepu8_epi32(_mm_loadu_si32(boxes.Upper[axis] + first)));
+      }
+      Measure(lower, upper, steps, all[first / 4]);
     }
+  }
+  HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE static unsigned GetMask(__m256d low, __m256d high)
+  {
+    return static_cast<unsigned>(_mm256_movemask_pd(low) | _mm256_movemask_pd(high) << 4);
   }
 };
 #endif

@@ -61,17 +61,17 @@ void StartDepths<Dim>::ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequ
     });
   this->Local.resize(numberOfCells);
   DepthHistogram histogram;
-  const auto choose = [&](const std::vector<std::uint64_t>& ofCells, std::size_t cell)
+  const auto read = [&](const std::vector<std::uint64_t>& ofCells, std::size_t cell)
   {
     const std::uint64_t* first = &ofCells[cell * numberOfDepths];
     histogram.assign(first, first + numberOfDepths);
   };
   for (std::size_t cell = 0; cell < numberOfCells; ++cell)
   {
-    choose(weights, cell);
+    read(weights, cell);
     if (GetTotal(histogram) == 0)
     {
-      choose(leaves, cell); // Places without points have a depth, too.
+      read(leaves, cell); // Places without points have a depth, too.
     }
     this->Local[cell] = static_cast<std::uint8_t>(GetMedianDepth(histogram));
   }

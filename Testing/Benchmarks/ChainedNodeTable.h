@@ -4,7 +4,6 @@
 
 #include "LargePagesResource.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -64,7 +63,10 @@ public:
       const Node* node = &this->Nodes[slot];
       for (std::size_t place = 0; node->Key != 0; ++place)
       {
-        lengths.resize(std::max(lengths.size(), place + 1));
+        if (place == lengths.size())
+        {
+          lengths.push_back(0);
+        }
         ++lengths[place];
         if (node->Next == 0)
         {

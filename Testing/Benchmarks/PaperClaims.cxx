@@ -379,8 +379,7 @@ void WriteClaimsOfMinimisers(std::ostream& out)
   WriteClaim(out, "... and so it is where half of the weight lies up to some depth (E23)",
     { "it costs the least on " + std::to_string(minimisers.BestInTies) + " of " +
         std::to_string(minimisers.Histograms) +
-        " such histograms, where it is another depth than "
-        "the median on " +
+        " such histograms, where it is another depth than the median on " +
         std::to_string(minimisers.OtherInTies),
       Judge(minimisers.BestInTies, minimisers.Histograms, " histograms") });
 }

@@ -61,9 +61,9 @@ void WriteConditions(std::ostream& out, const std::vector<PaperResults>& sets, i
     << " points and the neighbours of " << CheckedNeighborhoods
     << " leaves of each set, by both searches, and some of each table\n\nAll structures have their "
        "memory in large pages. The trees with pointers come from a pool, siblings side by side; "
-       "pointers have 8 bytes (the paper's 4). \"Paper\" is its own "
-       "layout: every node in a table of 2^21 slots with chains, hashed by the 21 low bits of its "
-       "key; \"mixing hash\" is the same with a multiplicative hash and a slot for each node.\n";
+       "pointers have 8 bytes (the paper's 4). \"Paper\" is its own layout: every node in a table "
+       "of 2^21 slots with chains, hashed by the 21 low bits of its key; \"mixing hash\" is the "
+       "same with a multiplicative hash and a slot for each node.\n";
 }
 }
 

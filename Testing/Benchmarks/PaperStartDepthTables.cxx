@@ -96,10 +96,9 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
        "neighbours of a leaf examines in our layout, counted for "
     << MaxScannedLeaves
     << " leaves, those of points drawn from all: from the root; from the median of all leaves, "
-       "which is best for "
-       "direct searches and which the paper takes for these as well; from the one depth "
-       "that is best for all these leaves, found by trying all; and from the depth that is best "
-       "for each leaf, which for adjacent searches NodeStartDepths keeps, in one byte for "
+       "which is best for direct searches and which the paper takes for these as well; from the "
+       "one depth that is best for all these leaves, found by trying all; and from the depth that "
+       "is best for each leaf, which for adjacent searches NodeStartDepths keeps, in one byte for "
        "each node; these are made, and timed, once. Climbing is from parent to parent alone, from "
        "below all leaves, which the paper expects to take more than from the median. The radius is "
        "that of Table 2. The times are of adjacent searches for the same leaves, that of the depth "

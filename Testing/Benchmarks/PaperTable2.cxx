@@ -142,10 +142,10 @@ void WriteTable2(std::ostream& out, const Sets& sets)
        "(f_leaves). Which it is in the paper cannot be told (E19): its mean of direct searches, "
        "1.33, is that of its Table 3 for points searched for by f_leaves, beside 1.30 by "
        "f_points; but Maracanã's, of its Table 1, can only be that of f_points. \"ours, local\" "
-       "has the medians of 4096 coarse cells. From the root the paper's layout searches "
-       "top-down, with geometric tests for neighbours, as the trees with "
-       "pointers do; with parents, neighbours are searched from the smallest ancestor that holds "
-       "them all. In parentheses the paper's times for the set that it has here, and the means "
+       "has the medians of 4096 coarse cells. From the root the paper's layout searches top-down, "
+       "with geometric tests for neighbours, as the trees with pointers do; with parents, "
+       "neighbours are searched from the smallest ancestor that holds them all. In parentheses the "
+       "paper's times for the set that it has here, and the means "
        "and gains that follow from them for the same sets.\n";
   for (std::size_t kind = 0; kind < NumberOfKinds; ++kind)
   {

@@ -89,6 +89,10 @@ TEST_F(TestBenchmarkPaper, WritesAllTables)
   EXPECT_LT(std::stod(report.GetCell(starts, "stadium_10k", "climbing")),
     std::stod(report.GetCell(starts, "stadium_10k", "adjacent: root")));
   const std::string options = "The option of the adjacent search that the paper rejects";
+  const std::string ofPaper = "The same in the paper's layout";
+  const double topDown = std::stod(report.GetCell(ofPaper, "stadium_10k", "adjacent: top-down"));
+  EXPECT_LT(topDown, std::stod(report.GetCell(ofPaper, "stadium_10k", "root")));
+  EXPECT_GT(topDown, 8.0) << "at least the seven leaves around a corner, and the root";
   EXPECT_TRUE(IsTime(report.GetCell(options, "stadium_10k", "us")));
   EXPECT_GT(std::stod(report.GetCell(options, "stadium_10k", "rejected: nodes")),
     std::stod(report.GetCell(options, "stadium_10k", "taken: nodes")));

@@ -91,6 +91,11 @@ TEST(TestPaperReport, NodesAndProbes)
   EXPECT_EQ(report.GetCell(neighbors, "first", "climbing"), "22.0");
   EXPECT_EQ(report.GetCell(neighbors, "first", "best depth for all"), "20.0 (9)");
   EXPECT_EQ(report.GetCell(neighbors, "first", "best for each"), "18.0");
+  EXPECT_EQ(report.GetCell(neighbors, "first", "adjacent, us: median"), "4.00 ~10%");
+  EXPECT_EQ(report.Get(neighbors)[1].back(), "3.00 ~10%");
+  const std::string ofPaper = "The same in the paper's layout";
+  EXPECT_EQ(report.GetCell(ofPaper, "first", "adjacent: top-down"), "17.0");
+  EXPECT_EQ(report.GetCell(ofPaper, "first", "in-radius: top-down"), "19.0");
   const std::string chains = "Chains in the paper's table";
   EXPECT_EQ(report.GetCell(chains, "first", "mean"), "2.20");
   EXPECT_EQ(report.GetCell(chains, "first", "mean if even"), "2.50");

@@ -52,6 +52,10 @@ inline paper_benchmark::PaperResults InventPaperResults(const std::string& name)
   set.Neighbors.InRadius = { 60.0, 32.0, 30.0, 9, 25.0, 33.0 };
   set.Neighbors.PaperAdjacent = { 45.0, 26.0, 25.0, 9, 23.0, 27.0 };
   set.Neighbors.PaperInRadius = { 70.0, 37.0, 35.0, 9, 33.0, 38.0 };
+  set.Neighbors.PaperAdjacent.TopDown = 17.0;
+  set.Neighbors.PaperInRadius.TopDown = 19.0;
+  set.Neighbors.MedianTime = InventTime(4e-6);
+  set.Neighbors.OwnTime = InventTime(3e-6);
   set.Neighbors.StoredBytes = 1U << 20;
   set.Neighbors.StoredSeconds = 0.5;
   set.Neighbors.Rejected = { 500.0, InventTime(50e-6) };
