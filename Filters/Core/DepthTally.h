@@ -26,6 +26,15 @@ public:
     this->Points[depth] += pointsInLeaves;
   }
 
+  /** Counts a leaf. */
+  void AddLeaf(int depthOfLeaf, std::uint64_t points)
+  {
+    const auto depth = static_cast<std::size_t>(depthOfLeaf);
+    ++this->Leaves[depth];
+    this->EmptyLeaves[depth] += points == 0 ? 1 : 0;
+    this->Points[depth] += points;
+  }
+
   void Add(const DepthTally& part)
   {
     for (std::size_t depth = 0; depth < NumberOfDepths; ++depth)
@@ -36,11 +45,11 @@ public:
     }
   }
 
-  /** There must be a leaf. */
+  /** Down to the deepest leaf. */
   DepthCounts GetCounts() const
   {
     std::size_t depths = NumberOfDepths;
-    while (this->Leaves[depths - 1] == 0)
+    while (depths > 0 && this->Leaves[depths - 1] == 0)
     {
       --depths;
     }

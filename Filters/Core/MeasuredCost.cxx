@@ -26,13 +26,6 @@ using Part = Sums<Dim, std::uint64_t>;
 template <int Dim>
 using Total = Sums<Dim, std::atomic<std::uint64_t>>;
 
-/** The deepest start depth to count for. */
-template <int Dim>
-int GetLastStartDepth(const Octree<Dim>& tree)
-{
-  return std::max(tree.GetDeepestDepth(), 1);
-}
-
 /** The keys that searches for the leaves of a block look up, and do not find, when they start below
  * them: scattered over the table, so they are asked for well ahead. */
 template <int Dim>
@@ -60,8 +53,9 @@ class LeafSearches
 public:
   using Counts = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
 
-  explicit LeafSearches(const Octree<Dim>& tree)
+  LeafSearches(const Octree<Dim>& tree, int lastStartDepth)
     : Tree(tree)
+    , LastStartDepth(lastStartDepth)
   {
   }
 
@@ -69,7 +63,7 @@ public:
   Counts Count(MortonKey<Dim> key)
   {
     this->GoTo(key);
-    const auto deepest = static_cast<std::size_t>(GetLastStartDepth(this->Tree));
+    const auto deepest = static_cast<std::size_t>(this->LastStartDepth);
     Counts nodes{};
     for (std::size_t depth = 0; depth <= deepest; ++depth)
     {
@@ -86,7 +80,7 @@ private:
   void GoTo(MortonKey<Dim> key)
   {
     int depth = this->Last ? MortonKey<Dim>::GetCommonDepth(*this->Last, key) + 1 : 0;
-    for (; depth <= GetLastStartDepth(this->Tree); ++depth)
+    for (; depth <= this->LastStartDepth; ++depth)
     {
       this->Cases[static_cast<std::size_t>(depth)] = this->Examine(key.AtDepth(depth));
     }
@@ -101,6 +95,7 @@ private:
   }
 
   const Octree<Dim>& Tree;
+  int LastStartDepth;
   std::optional<MortonKey<Dim>> Last;
   std::array<SearchCase, MortonKey<Dim>::MaxDepth + 1> Cases{}; ///< On the way to the last leaf.
 };
@@ -127,16 +122,29 @@ void AddPart(const Part<Dim>& part, Total<Dim>& total)
 }
 }
 
+MeasuredCost::MeasuredCost(const ExaminedNodes& examined, const DepthCounts& counts)
+{
+  const auto leaves = static_cast<double>(GetTotal(counts.Leaves));
+  const auto points = static_cast<double>(GetTotal(counts.Points));
+  for (std::size_t depth = 0; depth < examined.Leaves.size(); ++depth)
+  {
+    this->Leaves.push_back(static_cast<double>(examined.Leaves[depth]) / leaves);
+    this->Points.push_back(
+      points > 0.0 ? static_cast<double>(examined.Points[depth]) / points : 0.0);
+  }
+}
+
 template <int Dim>
-MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
+ExaminedNodes MeasureExaminedNodes(const Octree<Dim>& tree, const CurveRange<Dim>& range,
+  int lastStartDepth, const Execution& execution)
 {
   constexpr std::size_t chunkSize = 32; // Blocks, of up to 2^Dim leaves each.
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   Total<Dim> total;
-  if (!tree.IsRootInternal())
+  if (!tree.IsRootInternal() && range.Has(MortonKey<Dim>::Root()))
   {
     Part<Dim> root;
-    LeafSearches<Dim> searches(tree);
+    LeafSearches<Dim> searches(tree, lastStartDepth);
     AddLeaf(searches, tree.GetRoot(), root);
     AddPart(root, total);
   }
@@ -144,14 +152,14 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       Part<Dim> part;
-      LeafSearches<Dim> searches(tree);
+      LeafSearches<Dim> searches(tree, lastStartDepth);
       for (std::size_t block = first; block < last; ++block)
       {
         PrefetchBelow(tree, std::min(block + 1, numberOfBlocks - 1));
         for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
         {
           const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
-          if (!child.Internal)
+          if (!child.Internal && range.Has(child.NodeKey))
           {
             AddLeaf(searches, child, part);
           }
@@ -160,19 +168,17 @@ MeasuredCost MeasureCost(const Octree<Dim>& tree, const Execution& execution)
       AddPart(part, total);
     });
 
-  MeasuredCost mean;
-  const auto leaves = static_cast<double>(tree.GetNumberOfLeaves());
-  const auto points = static_cast<double>(tree.GetNumberOfPoints());
-  for (std::size_t depth = 0; depth <= static_cast<std::size_t>(GetLastStartDepth(tree)); ++depth)
-  {
-    mean.Leaves.push_back(static_cast<double>(total.Leaves[depth]) / leaves);
-    mean.Points.push_back(points > 0.0 ? static_cast<double>(total.Points[depth]) / points : 0.0);
-  }
-  return mean;
+  const auto end = static_cast<std::size_t>(lastStartDepth) + 1;
+  return { { total.Leaves.begin(), total.Leaves.begin() + end },
+    { total.Points.begin(), total.Points.begin() + end } };
 }
 
-template MeasuredCost MeasureCost(const Octree<1>&, const Execution&);
-template MeasuredCost MeasureCost(const Octree<2>&, const Execution&);
-template MeasuredCost MeasureCost(const Octree<3>&, const Execution&);
-template MeasuredCost MeasureCost(const Octree<4>&, const Execution&);
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template ExaminedNodes MeasureExaminedNodes(                                                     \
+    const Octree<Dim>&, const CurveRange<Dim>&, int, const Execution&);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -6,16 +6,16 @@
 namespace hashedoctree
 {
 template <int Dim>
-Buffer<typename Octree<Dim>::Node> ListNodes(
-  const Octree<Dim>& tree, NodeListOptions options, const Execution& execution)
+Buffer<typename Octree<Dim>::Node> ListNodes(const Octree<Dim>& tree, NodeListOptions options,
+  const Execution& execution, const CurveRange<Dim>& range)
 {
   using Node = typename Octree<Dim>::Node;
   constexpr std::size_t chunkSize = 2048; // Blocks that a thread does at a time.
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
-  const auto isListed = [options](const Node& node)
+  const auto isListed = [options, range](const Node& node)
   {
     const bool isOfDepth = options.Depth < 0 || node.NodeKey.GetDepth() == options.Depth;
-    return isOfDepth &&
+    return isOfDepth && range.Has(node.NodeKey) &&
       (node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty());
   };
   // Calls function(chunk, node) for the listed children of all blocks, a chunk on one thread.
@@ -60,8 +60,12 @@ Buffer<typename Octree<Dim>::Node> ListNodes(
   return nodes;
 }
 
-template Buffer<Octree<1>::Node> ListNodes(const Octree<1>&, NodeListOptions, const Execution&);
-template Buffer<Octree<2>::Node> ListNodes(const Octree<2>&, NodeListOptions, const Execution&);
-template Buffer<Octree<3>::Node> ListNodes(const Octree<3>&, NodeListOptions, const Execution&);
-template Buffer<Octree<4>::Node> ListNodes(const Octree<4>&, NodeListOptions, const Execution&);
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template Buffer<Octree<Dim>::Node> ListNodes(                                                    \
+    const Octree<Dim>&, NodeListOptions, const Execution&, const CurveRange<Dim>&);
+HASHEDOCTREE_INSTANTIATE(1)
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+HASHEDOCTREE_INSTANTIATE(4)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -2,6 +2,7 @@
 #ifndef hashedoctree_NodeList_h
 #define hashedoctree_NodeList_h
 
+#include "CurveRange.h"
 #include "Octree.h"
 
 namespace hashedoctree
@@ -14,10 +15,11 @@ struct NodeListOptions
   int Depth = -1; ///< Of nodes at this depth only; of all when negative.
 };
 
-/** The nodes of a tree, ordered by depth, then by key. O(nodes). Throws Interrupted. */
+/** The nodes of a tree that are in a range of the curve, ordered by depth, then by key. O(nodes).
+ * Throws Interrupted. */
 template <int Dim>
-Buffer<typename Octree<Dim>::Node> ListNodes(
-  const Octree<Dim>& tree, NodeListOptions options, const Execution& execution);
+Buffer<typename Octree<Dim>::Node> ListNodes(const Octree<Dim>& tree, NodeListOptions options,
+  const Execution& execution, const CurveRange<Dim>& range = {});
 }
 
 #endif

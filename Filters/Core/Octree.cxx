@@ -7,6 +7,13 @@
 
 namespace hashedoctree
 {
+namespace
+{
+/** Shares of the progress: of all, and of what is done with the keys. */
+constexpr double EncodingShare = 0.2;
+constexpr double SortingShare = 0.375;
+}
+
 template <int Dim>
 template <typename Points>
 Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const Options& options,
@@ -19,10 +26,36 @@ Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const O
   }
   this->RootGrid = Grid<Dim>(selection.GetBox());
   Buffer<CodedPoint<Dim>> coded =
-    EncodePoints(points, selection, this->RootGrid, execution.Part(0.0, 0.2));
-  SortAlongMortonCurve(
-    coded, options.MaxPointsPerLeaf, options.MaxDepth, execution.Part(0.2, 0.5), spare);
-  OctreeBuilder<Dim>(*this, coded).Build(execution.Part(0.5, 1.0));
+    EncodePoints(points, selection, this->RootGrid, execution.Part(0.0, EncodingShare));
+  this->Build(coded, execution.Part(EncodingShare, 1.0), spare);
+}
+
+template <int Dim>
+Octree<Dim>::Octree(const Grid<Dim>& grid, const std::vector<Key>& keys, const Options& options,
+  const Execution& execution)
+  : RootGrid(grid)
+  , BuildOptions(options)
+{
+  if (keys.empty())
+  {
+    return;
+  }
+  RequirePointIndices(keys.size());
+  Buffer<CodedPoint<Dim>> coded(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    coded[i] = CodedPoint<Dim>(keys[i], static_cast<PointIndex>(i));
+  }
+  this->Build(coded, execution, {});
+}
+
+template <int Dim>
+void Octree<Dim>::Build(
+  Buffer<CodedPoint<Dim>>& points, const Execution& execution, SpareMemory spare)
+{
+  SortAlongMortonCurve(points, this->BuildOptions.MaxPointsPerLeaf, this->BuildOptions.MaxDepth,
+    execution.Part(0.0, SortingShare), spare);
+  OctreeBuilder<Dim>(*this, points).Build(execution.Part(SortingShare, 1.0));
 }
 
 template <int Dim>

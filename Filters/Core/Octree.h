@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace hashedoctree
 {
@@ -38,6 +39,8 @@ constexpr unsigned CountOctants(std::uint32_t mask)
   return unsigned(BitPlaces.Count[mask & 0xffU]) + BitPlaces.Count[mask >> 8];
 }
 
+template <int Dim>
+class CodedPoint;
 template <int Dim>
 class OctreeBuilder;
 
@@ -122,6 +125,11 @@ public:
   Octree(Points points, const PointSelection<Dim>& selection, const Options& options,
     const Execution& execution, SpareMemory spare = {});
 
+  /** The same of points whose keys at MortonKey::MaxDepth are given, in the grid that they are
+   * from; the id of a point is its place among the keys. */
+  Octree(const Grid<Dim>& grid, const std::vector<Key>& keys, const Options& options,
+    const Execution& execution);
+
   const Grid<Dim>& GetGrid() const { return this->RootGrid; }
   /** The options that the tree was built with. */
   const Options& GetOptions() const { return this->BuildOptions; }
@@ -192,6 +200,8 @@ public:
 
 private:
   friend class OctreeBuilder<Dim>;
+  void Build(Buffer<CodedPoint<Dim>>& points, const Execution& execution, SpareMemory spare);
+
   Grid<Dim> RootGrid;
   Options BuildOptions;
   DepthCounts Counts = DepthCounts::OfEmptyTree();

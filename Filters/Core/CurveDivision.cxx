@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveDivision.h"
+
+#include <algorithm>
+
+namespace hashedoctree
+{
+namespace
+{
+template <typename Key>
+bool IsAfter(Key a, Key b)
+{
+  return b < a;
+}
+
+/** The first `count` keys in an order, sorted by it. */
+template <typename Keys, typename Order>
+Keys TakeFirst(Keys keys, std::size_t count, const Order& order)
+{
+  if (count < keys.size())
+  {
+    const auto end = keys.begin() + static_cast<std::ptrdiff_t>(count);
+    std::nth_element(keys.begin(), end, keys.end(), order);
+    keys.resize(count);
+  }
+  std::sort(keys.begin(), keys.end(), order);
+  return keys;
+}
+}
+
+template <int Dim>
+typename CurveDivision<Dim>::Keys CurveDivision<Dim>::Sample(
+  const Keys& keys, std::uint64_t allPoints, std::size_t numberOfParts)
+{
+  const std::uint64_t step = allPoints / (KeysPerPart * numberOfParts) + 1;
+  Keys sample;
+  for (std::uint64_t i = 0; i < keys.size(); i += step)
+  {
+    sample.push_back(keys[i]);
+  }
+  return sample;
+}
+
+template <int Dim>
+CurveDivision<Dim>::CurveDivision(Keys sample, std::size_t numberOfParts, int maxDepth)
+{
+  std::sort(sample.begin(), sample.end());
+  this->FirstOfPart.push_back(Key::Root().GetFirstAtMaxDepth());
+  for (std::size_t part = 1; part < numberOfParts; ++part)
+  {
+    this->FirstOfPart.push_back(sample.empty()
+        ? this->FirstOfPart.front()
+        : sample[part * sample.size() / numberOfParts].AtDepth(maxDepth).GetFirstAtMaxDepth());
+  }
+}
+
+template <int Dim>
+CurveRange<Dim> CurveDivision<Dim>::GetRange(std::size_t part) const
+{
+  CurveRange<Dim> range;
+  range.First = this->FirstOfPart[part];
+  if (part + 1 < this->FirstOfPart.size())
+  {
+    range.Last = Key(this->FirstOfPart[part + 1].GetValue() - 1);
+  }
+  return range;
+}
+
+template <int Dim>
+std::size_t CurveDivision<Dim>::FindPart(Key key) const
+{
+  const auto after = std::upper_bound(this->FirstOfPart.begin(), this->FirstOfPart.end(), key);
+  return static_cast<std::size_t>(after - this->FirstOfPart.begin()) - 1;
+}
+
+template <int Dim>
+std::vector<typename CurveDivision<Dim>::Keys> CurveDivision<Dim>::Deal(const Keys& keys) const
+{
+  std::vector<Keys> parts(this->GetNumberOfParts());
+  for (const Key key : keys)
+  {
+    parts[this->FindPart(key)].push_back(key);
+  }
+  return parts;
+}
+
+template <int Dim>
+typename CurveDivision<Dim>::Keys CurveDivision<Dim>::GetNodesAcross() const
+{
+  Keys nodes;
+  for (const Key first : this->FirstOfPart)
+  {
+    if (first == this->FirstOfPart.front())
+    {
+      continue; // Nothing is before it.
+    }
+    const Key before(first.GetValue() - 1);
+    for (int depth = Key::GetCommonDepth(before, first); depth >= 0; --depth)
+    {
+      nodes.push_back(first.AtDepth(depth));
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+template <int Dim>
+typename CurveDivision<Dim>::Keys CurveDivision<Dim>::FindFirst(Keys keys, std::size_t count)
+{
+  return TakeFirst(std::move(keys), count, [](Key a, Key b) { return a < b; });
+}
+
+template <int Dim>
+typename CurveDivision<Dim>::Keys CurveDivision<Dim>::FindLast(Keys keys, std::size_t count)
+{
+  keys = TakeFirst(std::move(keys), count, IsAfter<Key>);
+  std::reverse(keys.begin(), keys.end());
+  return keys;
+}
+
+template <int Dim>
+typename CurveDivision<Dim>::Keys CurveDivision<Dim>::GetAround(std::size_t part,
+  const std::vector<Keys>& firstOfParts, const std::vector<Keys>& lastOfParts, std::size_t count)
+{
+  Keys before;
+  for (std::size_t other = 0; other < part; ++other)
+  {
+    before.insert(before.end(), lastOfParts[other].begin(), lastOfParts[other].end());
+  }
+  Keys around(
+    before.end() - static_cast<std::ptrdiff_t>(std::min(count, before.size())), before.end());
+  const std::size_t most = around.size() + count;
+  for (std::size_t other = part + 1; other < firstOfParts.size(); ++other)
+  {
+    around.insert(around.end(), firstOfParts[other].begin(), firstOfParts[other].end());
+  }
+  around.resize(std::min(most, around.size()));
+  return around;
+}
+
+template class CurveDivision<1>;
+template class CurveDivision<2>;
+template class CurveDivision<3>;
+template class CurveDivision<4>;
+}

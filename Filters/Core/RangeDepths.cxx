@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RangeDepths.h"
+
+#include "DepthTally.h"
+
+namespace hashedoctree
+{
+template <int Dim>
+DepthCounts CountDepths(
+  const Octree<Dim>& tree, const CurveRange<Dim>& range, const Execution& execution)
+{
+  constexpr std::size_t chunkSize = 2048; // Blocks that a thread does at a time.
+  using Node = typename Octree<Dim>::Node;
+  const auto add = [&range](const Node& node, DepthTally<Dim>& tally)
+  {
+    if (!node.Internal && range.Has(node.NodeKey))
+    {
+      tally.AddLeaf(node.NodeKey.GetDepth(), node.GetNumberOfPoints());
+    }
+  };
+  const auto tallies = execution.MapChunks(tree.GetNumberOfInternalNodes(), chunkSize,
+    [&](std::size_t first, std::size_t last)
+    {
+      DepthTally<Dim> tally;
+      for (std::size_t block = first; block < last; ++block)
+      {
+        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+        {
+          add(tree.GetChild(block, octant), tally);
+        }
+      }
+      return tally;
+    });
+  DepthTally<Dim> all;
+  add(tree.GetRoot(), all);
+  for (const DepthTally<Dim>& tally : tallies)
+  {
+    all.Add(tally);
+  }
+  return all.GetCounts();
+}
+
+template DepthCounts CountDepths(const Octree<1>&, const CurveRange<1>&, const Execution&);
+template DepthCounts CountDepths(const Octree<2>&, const CurveRange<2>&, const Execution&);
+template DepthCounts CountDepths(const Octree<3>&, const CurveRange<3>&, const Execution&);
+template DepthCounts CountDepths(const Octree<4>&, const CurveRange<4>&, const Execution&);
+}
