@@ -109,38 +109,48 @@ void Subdivide(const Octree<Dim>& tree, vtkHyperTree* hyperTree, const Execution
     });
 }
 
-/** Masks the leaves without points. */
-template <typename Nodes>
-void MaskEmptyLeaves(const Nodes& nodes, vtkHyperTreeGrid* output, const Execution& execution)
+/** Masks the vertices that are not to be seen. */
+template <typename IsMasked>
+void MaskVertices(
+  std::size_t count, const IsMasked& isMasked, vtkHyperTreeGrid* output, const Execution& execution)
 {
   vtkNew<vtkBitArray> mask;
-  mask->SetNumberOfTuples(static_cast<vtkIdType>(nodes.GetSize()));
-  execution.OnOneThread().ForEach(nodes.GetSize(), NodesAtATime,
-    [&](std::size_t i) { mask->SetValue(static_cast<vtkIdType>(i), nodes[i].IsEmpty() ? 1 : 0); });
+  mask->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  execution.OnOneThread().ForEach(count, NodesAtATime,
+    [&](std::size_t i) { mask->SetValue(static_cast<vtkIdType>(i), isMasked(i) ? 1 : 0); });
   output->SetMask(mask);
 }
 
 /** The arrays of all vertices, and the mask. */
 template <int Dim>
-void DescribeVertices(const Octree<Dim>& tree, int startDepth, bool showsEmptyLeaves,
+void DescribeVertices(const PointsOctree<Dim>& octree, int startDepth, bool showsEmptyLeaves,
   vtkHyperTreeGrid* output, const Execution& execution)
 {
-  const auto nodes = ListVertices(tree, execution.Part(0.0, 0.1));
+  const Octree<Dim>& tree = octree.Tree;
+  auto nodes = ListVertices(tree, execution.Part(0.0, 0.1));
+  octree.CompletePoints(nodes);
   AddNodeArrays(tree, startDepth, nodes, output->GetCellData(), execution.Part(0.1, 0.8));
-  if (!showsEmptyLeaves && tree.GetNumberOfEmptyLeaves() > 0)
+  const bool hidesSome = !showsEmptyLeaves && tree.GetNumberOfEmptyLeaves() > 0;
+  if (hidesSome || octree.Processes.AreSeveral())
   {
-    MaskEmptyLeaves(nodes, output, execution.Part(0.8, 1.0));
+    const auto isMasked = [&](std::size_t i)
+    {
+      const typename Octree<Dim>::Node& node = nodes[i];
+      return !node.Internal && ((hidesSome && node.IsEmpty()) || !octree.Part.Has(node.NodeKey));
+    };
+    MaskVertices(nodes.GetSize(), isMasked, output, execution.Part(0.8, 1.0));
   }
 }
 }
 
 template <int Dim>
-void FillHyperTreeGrid(const Octree<Dim>& tree, int startDepth, const TreeFrame<Dim>& frame,
-  bool showsEmptyLeaves, vtkHyperTreeGrid* output, const Execution& execution)
+void FillHyperTreeGrid(const PointsOctree<Dim>& octree, int startDepth, bool showsEmptyLeaves,
+  vtkHyperTreeGrid* output, const Execution& execution)
 {
+  const Octree<Dim>& tree = octree.Tree;
   RequireHyperTreeVertices(tree.GetNumberOfNodes());
-  DescribeVertices(tree, startDepth, showsEmptyLeaves, output, execution.Part(0.0, 0.8));
-  PlaceRoot(tree, frame, output);
+  DescribeVertices(octree, startDepth, showsEmptyLeaves, output, execution.Part(0.0, 0.8));
+  PlaceRoot(tree, octree.Frame, output);
   vtkHyperTree* hyperTree = output->GetTree(0, /*create=*/true);
   hyperTree->SetGlobalIndexStart(0);
   Subdivide(tree, hyperTree, execution.Part(0.8, 1.0));
@@ -163,7 +173,7 @@ void HandOver(vtkDataObject* from, vtkDataObject* to)
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template void FillHyperTreeGrid(                                                                 \
-    const Octree<Dim>&, int, const TreeFrame<Dim>&, bool, vtkHyperTreeGrid*, const Execution&);
+    const PointsOctree<Dim>&, int, bool, vtkHyperTreeGrid*, const Execution&);
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 #undef HASHEDOCTREE_INSTANTIATE

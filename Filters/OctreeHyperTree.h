@@ -2,8 +2,7 @@
 #ifndef OctreeHyperTree_h
 #define OctreeHyperTree_h
 
-#include "Octree.h"
-#include "TreeFrame.h"
+#include "PointsOctree.h"
 
 #include "vtkHyperTreeGrid.h"
 
@@ -32,13 +31,13 @@ inline void RequireHyperTreeVertices(std::size_t nodes)
  * nodes, with the arrays of AddNodeArrays() for searches from `startDepth`. Vertex 0 is the root;
  * the children of the internal nodes follow in the order of these, by depth, then by key, of each
  * in VTK's own order, in which the first axis is the low bit. Leaves without points are masked
- * unless they are shown. O(nodes); the tree itself on one thread. Throws Interrupted, and
- * std::length_error for too many nodes; the grid must then be emptied. Instantiated for 2 and 3
- * dimensions. Private to the module.
+ * unless they are shown, and all that are not in the tree's part of the curve. O(nodes); the tree
+ * itself on one thread. Throws Interrupted, and std::length_error for too many nodes; the grid must
+ * then be emptied. Instantiated for 2 and 3 dimensions. Private to the module.
  */
 template <int Dim>
-void FillHyperTreeGrid(const Octree<Dim>& tree, int startDepth, const TreeFrame<Dim>& frame,
-  bool showsEmptyLeaves, vtkHyperTreeGrid* output, const Execution& execution);
+void FillHyperTreeGrid(const PointsOctree<Dim>& octree, int startDepth, bool showsEmptyLeaves,
+  vtkHyperTreeGrid* output, const Execution& execution);
 
 /** Gives what a data object holds to another of its type. As ShallowCopy(), but that a hyper tree
  * grid loses its mask to the other: to copy one that has a mask VTK visits all of its nodes, for

@@ -4,6 +4,8 @@
 #include "AlgorithmExecution.h"
 #include "AlgorithmOptions.h"
 #include "BlockStructure.h"
+#include "DistributedOctree.h"
+#include "MortonCodes.h"
 #include "OctreeHyperTree.h"
 #include "PassFieldData.h"
 #include "PointsAdaptor.h"
@@ -14,7 +16,10 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPointSet.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -28,22 +33,83 @@ namespace
 /** Shares of the progress of one point set: where each step ends. */
 constexpr double AdaptorShare = 0.02;
 constexpr double SelectionShare = 0.05;
+/** Share of the progress of building with others: where the keys are made. */
+constexpr double CodesShare = 0.1;
 
-/** The tree of the selected points in a frame. */
+/** The tree of the selected points in a frame, alone. */
 template <int Dim, typename Real>
-PointsOctree<Dim> BuildInFrame(const TreeFrame<Dim>& frame, PointSpan<3, Real> points,
-  const PointSelection<3>& selection, vtkHashedOctreeAlgorithm* algorithm,
+PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, PointSpan<3, Real> points,
+  const PointSelection<3>& selection, const typename Octree<Dim>::Options& options,
   const Execution& execution)
 {
-  return { Octree<Dim>(Project(points, frame, selection.GetBox()),
-             PointSelection<Dim>(selection, frame.GetAxes()), GetTreeOptions<Dim>(algorithm),
-             execution),
-    frame, selection.GetNumberOfSkippedPoints(), selection.GetNumberOfOutsidePoints() };
+  PointsOctree<Dim> octree;
+  octree.Tree = Octree<Dim>(Project(points, frame, selection.GetBox()),
+    PointSelection<Dim>(selection, frame.GetAxes()), options, execution);
+  octree.Counts = octree.Tree.GetDepthCounts();
+  octree.TreeBytes = octree.Tree.GetTreeBytes();
+  return octree;
+}
+
+/** The same of the points of several processes, in their root. */
+template <int Dim, typename Real>
+PointsOctree<Dim> BuildWithOthers(const ProcessGroup& processes, const TreeFrame<Dim>& frame,
+  const Box<3>& root, PointSpan<3, Real> points, const PointSelection<3>& selection,
+  const typename Octree<Dim>::Options& options, const Execution& execution)
+{
+  const Grid<Dim> grid(
+    Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
+  std::vector<MortonKey<Dim>> keys;
+  processes.Together(
+    [&]
+    {
+      const auto coded = EncodePoints(Project(points, frame, selection.GetBox()),
+        PointSelection<Dim>(selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
+      for (std::size_t i = 0; i < coded.GetSize(); ++i)
+      {
+        keys.push_back(coded[i].GetKey());
+      }
+    });
+  return BuildDistributedOctree(
+    processes, grid, std::move(keys), options, execution.Part(CodesShare, 1.0));
+}
+
+template <int Dim, typename Real>
+PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Dim>& frame,
+  const Box<3>& root, PointSpan<3, Real> points, const PointSelection<3>& selection,
+  const typename Octree<Dim>::Options& options, const Execution& execution)
+{
+  PointsOctree<Dim> octree = processes.AreSeveral()
+    ? BuildWithOthers(processes, frame, root, points, selection, options, execution)
+    : BuildAlone(frame, points, selection, options, execution);
+  octree.Frame = frame;
+  octree.SkippedPoints = processes.Sum(selection.GetNumberOfSkippedPoints());
+  octree.OutsidePoints = processes.Sum(selection.GetNumberOfOutsidePoints());
+  return octree;
+}
+
+/** The information of the output that the request came from. */
+vtkInformation* GetRequested(vtkInformation* request, vtkInformationVector* outputVector)
+{
+  const int port = request->Get(vtkStreamingDemandDrivenPipeline::FROM_OUTPUT_PORT());
+  return outputVector->GetInformationObject(std::max(port, 0)); // 0 also if unknown.
+}
+
+/** Where the leaves of a composite data set are, those that hold nothing, too. */
+std::vector<std::uint64_t> ListLeaves(vtkDataObjectTreeIterator* leaves)
+{
+  std::vector<std::uint64_t> indices;
+  for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+  {
+    indices.push_back(leaves->GetCurrentFlatIndex());
+  }
+  return indices;
 }
 }
 
-OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>> root)
+OctreePass::OctreePass(
+  vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes, std::optional<Box<3>> root)
   : Algorithm(algorithm)
+  , Processes(processes)
   , Root(root)
 {
 }
@@ -68,9 +134,10 @@ void OctreePass::ExecuteAny(
   {
     WarnOfSkippedPoints(this->Algorithm, this->SkippedPoints, this->AllPoints);
   }
-  if (this->UsedPoints == 0 && !isPiece)
+  const auto allPoints = this->Processes.Sum(static_cast<std::uint64_t>(this->AllPoints));
+  if (this->UsedPoints == 0 && (!isPiece || this->Processes.AreSeveral()))
   {
-    this->RefuseInput();
+    this->RefuseInput(allPoints);
   }
   if (this->ImplicitBlocks > 0)
   {
@@ -92,11 +159,15 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
     PassFieldData(input, target); // The structure may bring no field data, which VTK relies on.
   }
   const auto blocks = vtk::TakeSmartPointer(input->NewTreeIterator());
-  double numberOfBlocks = 0.0;
-  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  blocks->SetSkipEmptyNodes(0); // Another process may have something there.
+  const std::vector<std::uint64_t> leaves = ListLeaves(blocks);
+  const auto ofProcesses = this->Processes.Gather(leaves);
+  if (std::count(ofProcesses.begin(), ofProcesses.end(), leaves) !=
+    static_cast<std::ptrdiff_t>(ofProcesses.size()))
   {
-    numberOfBlocks += 1.0;
+    this->Processes = ProcessGroup();
   }
+  const auto numberOfBlocks = static_cast<double>(leaves.size());
   double block = 0.0;
   for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
   {
@@ -113,12 +184,17 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
 OctreePass::Outputs OctreePass::Process(
   vtkDataObject* data, const MakeOutputs& makeOutputs, const Execution& execution)
 {
+  vtkNew<vtkPolyData> nothing;
   auto* input = vtkPointSet::SafeDownCast(data);
-  const bool hasPoints = data->GetNumberOfElements(vtkDataObject::POINT) > 0;
-  if (input == nullptr || !hasPoints)
+  if (input == nullptr || input->GetNumberOfPoints() == 0)
   {
-    this->ImplicitBlocks += hasPoints ? 1 : 0;
-    return {};
+    const bool isImplicit = data != nullptr && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+    this->ImplicitBlocks += isImplicit ? 1 : 0;
+    if (!this->Processes.AreSeveral())
+    {
+      return {};
+    }
+    input = nothing; // Others may have points.
   }
   const std::optional<AnyPointsOctree> octree = this->Build(input, execution);
   Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};
@@ -132,33 +208,58 @@ OctreePass::Outputs OctreePass::Process(
 std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execution& execution)
 {
   const auto start = std::chrono::steady_clock::now();
-  RequirePointIndices(static_cast<std::size_t>(input->GetNumberOfPoints())); // Before a copy.
-  const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
+  std::optional<PointsAdaptor> points;
+  this->Processes.Together(
+    [&]
+    {
+      RequirePointIndices(static_cast<std::size_t>(input->GetNumberOfPoints())); // Before a copy.
+      points.emplace(input, execution.Part(0.0, AdaptorShare));
+    });
   std::optional<AnyPointsOctree> built;
-  points.Visit(
+  points->Visit(
     [&](auto span)
     {
-      const PointSelection<3> selection(
-        span, this->Root, execution.Part(AdaptorShare, SelectionShare));
+      std::optional<PointSelection<3>> selection;
+      this->Processes.Together(
+        [&] { selection.emplace(span, this->Root, execution.Part(AdaptorShare, SelectionShare)); });
       this->AllPoints += input->GetNumberOfPoints();
-      this->SkippedPoints += selection.GetNumberOfSkippedPoints();
-      this->UsedPoints += selection.GetNumberOfPoints();
-      if (selection.GetNumberOfPoints() == 0)
+      this->SkippedPoints += selection->GetNumberOfSkippedPoints();
+      const std::optional<Box<3>> root = this->FindRoot(*selection);
+      if (!root)
       {
         return;
       }
       const auto build = [&](const auto& frame)
       {
-        auto octree = BuildInFrame(
-          frame, span, selection, this->Algorithm, execution.Part(SelectionShare, BuildShare));
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-        octree.BuildSeconds = elapsed.count();
-        built = std::move(octree);
+        constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
+        built = BuildInFrame(this->Processes, frame, *root, span, *selection,
+          GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
       };
-      const auto plane = FindQuadtreeFrame(this->Algorithm, selection.GetBox());
+      const auto plane = FindQuadtreeFrame(this->Algorithm, *root);
       plane ? build(*plane) : build(TreeFrame<3>());
     });
+  if (built)
+  {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    double seconds = elapsed.count();
+    this->Processes.Max(&seconds, 1);
+    std::visit([seconds](auto& octree) { octree.BuildSeconds = seconds; }, *built);
+  }
   return built;
+}
+
+std::optional<Box<3>> OctreePass::FindRoot(const PointSelection<3>& selection)
+{
+  const std::uint64_t used = this->Processes.Sum(selection.GetNumberOfPoints());
+  this->UsedPoints += used;
+  if (used == 0)
+  {
+    return {};
+  }
+  Box<3> root = selection.GetBox();
+  this->Processes.Min(root.Lower.data(), root.Lower.size());
+  this->Processes.Max(root.Upper.data(), root.Upper.size());
+  return root;
 }
 
 OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
@@ -171,18 +272,33 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
   return ports;
 }
 
+ProcessGroup OctreePass::FindProcesses(
+  vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkMultiProcessController* controller = algorithm->GetController();
+  if (controller == nullptr || !IsPiece(request, outputVector))
+  {
+    return {};
+  }
+  vtkInformation* information = GetRequested(request, outputVector);
+  const bool isOwn =
+    information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == controller->GetNumberOfProcesses() &&
+    information->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
+  return isOwn ? ProcessGroup(controller) : ProcessGroup();
+}
+
 bool OctreePass::IsPiece(vtkInformation* request, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  const int port = std::max(request->Get(Pipeline::FROM_OUTPUT_PORT()), 0); // 0 also if unknown.
-  vtkInformation* information = outputVector->GetInformationObject(port);
+  vtkInformation* information = GetRequested(request, outputVector);
   return information->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
     information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
 }
 
-void OctreePass::RefuseInput() const
+void OctreePass::RefuseInput(std::uint64_t allPoints) const
 {
-  if (this->AllPoints == 0)
+  if (allPoints == 0)
   {
     throw std::invalid_argument(this->ImplicitBlocks > 0
         ? "The points of the input have no coordinates of their own, as those of images; "

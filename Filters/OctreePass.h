@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+class vtkDataObjectTreeIterator;
 class vtkHashedOctreeAlgorithm;
 
 namespace hashedoctree
@@ -23,7 +24,11 @@ namespace hashedoctree
  * One pass of an algorithm over the point sets of its input: the input itself or, of a composite
  * one, each of its blocks. Builds the octree or quadtree of each and fills the targets with what a
  * function makes of it, with the field data of the point set where it has none of that name. Blocks
- * without a point to use, and those of another kind, stay empty. Private to the module.
+ * without a point to use, and those of another kind, stay empty.
+ *
+ * Several processes that have the pieces of one input make one tree of each point set together, if
+ * their composite inputs have the same structure, else each its own. What they have to do together
+ * they do in the same order. Private to the module.
  */
 class OctreePass
 {
@@ -37,13 +42,14 @@ public:
   static constexpr double BuildShare = 0.3;
 
   /** `root`, where given, takes the place of the points' own bounds. */
-  explicit OctreePass(vtkHashedOctreeAlgorithm* algorithm, std::optional<Box<3>> root = {});
+  explicit OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes = {},
+    std::optional<Box<3>> root = {});
 
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
    * finite, and once of blocks without coordinates of their own. Throws Interrupted, and
    * std::exception with what to tell the user, also when there is no point to use in all of the
-   * input, unless that is one of several pieces. */
+   * input of all processes, unless that is one of several pieces that others have. */
   template <typename Function>
   void Execute(
     vtkDataObject* input, const Targets& targets, bool isPiece, const Function& makeOutputs)
@@ -63,6 +69,11 @@ public:
 
   static Targets GetPorts(vtkInformationVector* outputVector);
 
+  /** Those that have the other pieces: of the algorithm's controller when as many pieces are asked
+   * for as it has processes, and of each its own, else this one alone. */
+  static ProcessGroup FindProcesses(vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request,
+    vtkInformationVector* outputVector);
+
   /** Whether other processes, or other updates, have the rest of a distributed data set: what the
    * output says that the request came from. */
   static bool IsPiece(vtkInformation* request, vtkInformationVector* outputVector);
@@ -74,16 +85,21 @@ private:
     vtkDataObject* input, const Targets& targets, bool isPiece, const MakeOutputs& makeOutputs);
   void ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
     const MakeOutputs& makeOutputs, const Execution& execution);
+  /** The data object is null where a process has nothing of a block. */
   Outputs Process(vtkDataObject* data, const MakeOutputs& makeOutputs, const Execution& execution);
   /** Nothing where there is no point to use. */
   std::optional<AnyPointsOctree> Build(vtkPointSet* input, const Execution& execution);
-  [[noreturn]] void RefuseInput() const;
+  /** The given root, or the box around the selected points of all processes; nothing if there are
+   * none. */
+  std::optional<Box<3>> FindRoot(const PointSelection<3>& selection);
+  [[noreturn]] void RefuseInput(std::uint64_t allPoints) const;
 
   vtkHashedOctreeAlgorithm* Algorithm;
+  ProcessGroup Processes;
   std::optional<Box<3>> Root;
   vtkIdType AllPoints = 0;
   std::size_t SkippedPoints = 0;
-  std::size_t UsedPoints = 0;
+  std::uint64_t UsedPoints = 0;   ///< Of all processes.
   std::size_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
 };
 }

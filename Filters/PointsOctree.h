@@ -2,24 +2,69 @@
 #ifndef PointsOctree_h
 #define PointsOctree_h
 
+#include "CurveRange.h"
 #include "Octree.h"
+#include "ProcessGroup.h"
 #include "TreeFrame.h"
 
+#include <map>
+#include <utility>
 #include <variant>
 
 namespace hashedoctree
 {
-/** The octree or quadtree over the points of one data set, and what became of the points that are
- * not in it. Private to the module. */
+/**
+ * The octree or quadtree over the points of one data set, and what became of the points that are
+ * not in it. Of a data set whose pieces several processes have, each of them has a part of the tree
+ * (see CurveDivision): Tree is right in Part only, all numbers are of the whole. Private to the
+ * module.
+ */
 template <int Dim>
 struct PointsOctree
 {
   Octree<Dim> Tree;
   TreeFrame<Dim> Frame;
+  ProcessGroup Processes; ///< Who have the other parts.
+  CurveRange<Dim> Part;   ///< Of a process alone the whole curve.
+  DepthCounts Counts;
+  /** Of the nodes with points of several processes: their number, by the value of the key. */
+  std::map<std::uint64_t, PointIndex> PointsAcross;
+  std::size_t TreeBytes = 0;     ///< Of all processes.
   std::size_t SkippedPoints = 0; ///< Not finite, or too large.
   std::size_t OutsidePoints = 0; ///< Outside the given root.
   double BuildSeconds = 0.0;
+
+  std::size_t GetNumberOfPoints() const { return GetTotal(this->Counts.Points); }
+  std::size_t GetNumberOfLeaves() const { return GetTotal(this->Counts.Leaves); }
+  /** Leaves and internal nodes, each of which replaces a leaf by 2^Dim. */
+  std::size_t GetNumberOfNodes() const
+  {
+    return this->GetNumberOfLeaves() +
+      (this->GetNumberOfLeaves() - 1) / (Octree<Dim>::NumberOfOctants - 1);
+  }
+  int GetDeepestDepth() const { return static_cast<int>(this->Counts.Leaves.size()) - 1; }
+
+  /** Gives those nodes of the tree that have points of other processes all of them. */
+  void CompletePoints(Buffer<typename Octree<Dim>::Node>& nodes) const
+  {
+    for (std::size_t i = 0; !this->PointsAcross.empty() && i < nodes.GetSize(); ++i)
+    {
+      typename Octree<Dim>::Node& node = nodes[i];
+      const auto across = this->PointsAcross.find(node.NodeKey.GetValue());
+      if (node.Internal && across != this->PointsAcross.end())
+      {
+        node.LastPoint = node.FirstPoint + across->second;
+      }
+    }
+  }
 };
+
+/** The start depth that a model has for the whole tree. */
+template <int Dim>
+int GetStartDepth(const PointsOctree<Dim>& octree, const StartDepthOptions& options)
+{
+  return GetStartDepth(GetDepthHistogram(octree.Counts, options.Frequency, Dim), options);
+}
 
 using AnyPointsOctree = std::variant<PointsOctree<2>, PointsOctree<3>>;
 }

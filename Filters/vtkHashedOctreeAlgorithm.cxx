@@ -4,7 +4,29 @@
 #include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+vtkHashedOctreeAlgorithm::vtkHashedOctreeAlgorithm()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+vtkHashedOctreeAlgorithm::~vtkHashedOctreeAlgorithm() = default;
+
+void vtkHashedOctreeAlgorithm::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkHashedOctreeAlgorithm::GetController() const
+{
+  return this->Controller;
+}
 
 void vtkHashedOctreeAlgorithm::SetDimension(int dimension)
 {
@@ -71,4 +93,5 @@ void vtkHashedOctreeAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";
   os << indent << "FixedStartDepth: " << this->FixedStartDepth << "\n";
   os << indent << "IncludeEmptyLeaves: " << this->IncludeEmptyLeaves << "\n";
+  os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

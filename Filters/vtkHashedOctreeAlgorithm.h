@@ -23,6 +23,9 @@
 
 #include "HashedOctreeFiltersModule.h" // For export macro
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkSmartPointer.h" // For the controller
+
+class vtkMultiProcessController;
 
 class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeAlgorithm : public vtkDataObjectAlgorithm
 {
@@ -118,6 +121,14 @@ public:
   ///@}
 
   ///@{
+  /** Who have the other pieces of a distributed data set, in a filter that says that it makes one
+   * tree of all of them; the default is the global controller. Null makes each process work alone.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
+  ///@{
   /** Whether octants without points are leaves: in the output, and to searches. Default off, but on
    * in vtkHashedOctreeNeighborsFilter. */
   vtkSetMacro(IncludeEmptyLeaves, bool);
@@ -126,8 +137,8 @@ public:
   ///@}
 
 protected:
-  vtkHashedOctreeAlgorithm() = default;
-  ~vtkHashedOctreeAlgorithm() override = default;
+  vtkHashedOctreeAlgorithm();
+  ~vtkHashedOctreeAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
@@ -158,6 +169,7 @@ private:
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
+  vtkSmartPointer<vtkMultiProcessController> Controller;
 };
 
 #endif

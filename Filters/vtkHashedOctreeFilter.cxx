@@ -37,6 +37,20 @@ constexpr int NumberOfOutputs = 3;
 constexpr double MeasuringShare = 0.6;
 /** Where listing them ends in the progress of nodes that become cells. */
 constexpr double ListShareOfNodes = 0.1;
+
+/** What searches in the tree of all processes cost. */
+template <int Dim>
+MeasuredCost MeasureCost(const PointsOctree<Dim>& octree, const Execution& execution)
+{
+  const ProcessGroup& processes = octree.Processes;
+  const int last = MeasuredCost::GetLastStartDepth(octree.GetDeepestDepth());
+  ExaminedNodes examined;
+  processes.Together(
+    [&] { examined = MeasureExaminedNodes(octree.Tree, octree.Part, last, execution); });
+  processes.Sum(examined.Leaves);
+  processes.Sum(examined.Points);
+  return { examined, octree.Counts };
+}
 }
 
 /** What one run of RequestData makes of each tree. */
@@ -52,25 +66,38 @@ public:
   template <int Dim>
   OctreePass::Outputs operator()(const PointsOctree<Dim>& octree, const Execution& execution) const
   {
-    const Octree<Dim>& tree = octree.Tree;
-    const DepthCounts& counts = tree.GetDepthCounts();
-    const int startDepth = GetStartDepth(tree, GetStartDepthOptions<Dim>(this->Self));
-
-    vtkNew<vtkTable> histogram;
-    FillDepthHistogram(histogram, counts, Dim);
-    vtkNew<vtkTable> costs;
-    FillCostCurves(costs, counts,
-      MeasureCost(tree, execution.Part(OctreePass::BuildShare, MeasuringShare)), Dim);
-
-    const vtkSmartPointer<vtkDataObject> nodes =
-      this->MakeNodes(octree, startDepth, execution.Part(MeasuringShare, 1.0));
-    this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
-    PassFieldData(nodes, histogram);
-    PassFieldData(nodes, costs);
-    return { nodes, histogram, costs };
+    const int startDepth = GetStartDepth(octree, GetStartDepthOptions<Dim>(this->Self));
+    const MeasuredCost measured =
+      MeasureCost(octree, execution.Part(OctreePass::BuildShare, MeasuringShare));
+    OctreePass::Outputs outputs;
+    octree.Processes.Together(
+      [&]
+      {
+        outputs =
+          this->MakeOutputs(octree, startDepth, measured, execution.Part(MeasuringShare, 1.0));
+      });
+    return outputs;
   }
 
 private:
+  template <int Dim>
+  OctreePass::Outputs MakeOutputs(const PointsOctree<Dim>& octree, int startDepth,
+    const MeasuredCost& measured, const Execution& execution) const
+  {
+    const vtkSmartPointer<vtkDataObject> nodes = this->MakeNodes(octree, startDepth, execution);
+    this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
+    vtkNew<vtkTable> histogram;
+    vtkNew<vtkTable> costs;
+    if (octree.Processes.IsFirst())
+    {
+      FillDepthHistogram(histogram, octree.Counts, Dim);
+      FillCostCurves(costs, octree.Counts, measured, Dim);
+      PassFieldData(nodes, histogram);
+      PassFieldData(nodes, costs);
+    }
+    return { nodes, histogram, costs };
+  }
+
   /** What port 0 shows of a tree. */
   template <int Dim>
   vtkSmartPointer<vtkDataObject> MakeNodes(
@@ -80,12 +107,13 @@ private:
     if (this->Self->OutputType == HyperTreeGrid)
     {
       const auto grid = vtkSmartPointer<vtkHyperTreeGrid>::New();
-      FillHyperTreeGrid(octree.Tree, startDepth, octree.Frame, showsEmptyLeaves, grid, execution);
+      FillHyperTreeGrid(octree, startDepth, showsEmptyLeaves, grid, execution);
       return grid;
     }
-    const auto listed =
+    auto listed =
       ListNodes(octree.Tree, NodeListOptions{ showsEmptyLeaves, this->Self->IncludeInternalNodes },
-        execution.Part(0.0, ListShareOfNodes));
+        execution.Part(0.0, ListShareOfNodes), octree.Part);
+    octree.CompletePoints(listed);
     const OctreeCells<Dim> cells(octree.Tree, startDepth, listed, octree.Frame);
     const Execution cellsExecution = execution.Part(ListShareOfNodes, 1.0);
     if (this->Self->OutputType == Outlines)
@@ -101,20 +129,19 @@ private:
 
   /** Where searches would start by another frequency model. */
   template <int Dim>
-  int GetStartDepthBy(const Octree<Dim>& tree, hashedoctree::FrequencyModel model) const
+  int GetStartDepthBy(const PointsOctree<Dim>& octree, hashedoctree::FrequencyModel model) const
   {
     StartDepthOptions options = GetStartDepthOptions<Dim>(this->Self);
     options.Frequency = model;
-    return GetStartDepth(tree, options);
+    return GetStartDepth(octree, options);
   }
 
   template <int Dim>
   void AddFieldData(vtkFieldData* fieldData, const PointsOctree<Dim>& octree, int startDepth) const
   {
     using Model = hashedoctree::FrequencyModel;
-    const Octree<Dim>& tree = octree.Tree;
-    const DepthHistogram histogram = GetDepthHistogram(
-      tree.GetDepthCounts(), GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
+    const DepthHistogram histogram =
+      GetDepthHistogram(octree.Counts, GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     const double hitCost = GetMeanCost(histogram, startDepth);
     const double rootCost = GetMeanCost(histogram, 0);
 
@@ -123,18 +150,19 @@ private:
     AddFieldValue<vtkDoubleArray>(fieldData, "MeanHitCost", hitCost);
     AddFieldValue<vtkDoubleArray>(fieldData, "MeanRootCost", rootCost);
     AddFieldValue<vtkDoubleArray>(fieldData, "CostRatio", rootCost / hitCost);
-    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfPoints", tree.GetNumberOfPoints());
-    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfNodes", tree.GetNumberOfNodes());
-    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfLeaves", tree.GetNumberOfLeaves());
-    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfEmptyLeaves", tree.GetNumberOfEmptyLeaves());
-    AddFieldValue<vtkIntArray>(fieldData, "DeepestDepth", tree.GetDeepestDepth());
+    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfPoints", octree.GetNumberOfPoints());
+    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfNodes", octree.GetNumberOfNodes());
+    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfLeaves", octree.GetNumberOfLeaves());
+    AddFieldValue<vtkIdTypeArray>(
+      fieldData, "NumberOfEmptyLeaves", GetTotal(octree.Counts.EmptyLeaves));
+    AddFieldValue<vtkIntArray>(fieldData, "DeepestDepth", octree.GetDeepestDepth());
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthLeaves", this->GetStartDepthBy(tree, Model::Leaves));
+      fieldData, "StartDepthLeaves", this->GetStartDepthBy(octree, Model::Leaves));
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthPoints", this->GetStartDepthBy(tree, Model::Points));
+      fieldData, "StartDepthPoints", this->GetStartDepthBy(octree, Model::Points));
     AddFieldValue<vtkIntArray>(
-      fieldData, "StartDepthGrid", this->GetStartDepthBy(tree, Model::Grid));
-    AddFieldValue<vtkIdTypeArray>(fieldData, "TreeBytes", tree.GetTreeBytes());
+      fieldData, "StartDepthGrid", this->GetStartDepthBy(octree, Model::Grid));
+    AddFieldValue<vtkIdTypeArray>(fieldData, "TreeBytes", octree.TreeBytes);
     AddFieldValue<vtkDoubleArray>(fieldData, "BuildSeconds", octree.BuildSeconds);
     AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
     AddFieldValue<vtkIdTypeArray>(fieldData, "OutsidePoints", octree.OutsidePoints);
@@ -177,7 +205,7 @@ int vtkHashedOctreeFilter::RequestData(
         const double* b = this->CustomBounds;
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
-      OctreePass(this, root)
+      OctreePass(this, OctreePass::FindProcesses(this, request, outputVector), root)
         .Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector, Run(this));
     });
 }

@@ -2,6 +2,8 @@
 #include "CurveDivision.h"
 
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 namespace hashedoctree
 {
@@ -12,6 +14,36 @@ bool IsAfter(Key a, Key b)
 {
   return b < a;
 }
+
+/** How many of some keys are in each node on the way to one key. */
+template <int Dim>
+class KeysAround
+{
+public:
+  using Key = MortonKey<Dim>;
+
+  KeysAround(Key center, const std::vector<Key>& keys)
+    : Center(center)
+  {
+    for (const Key key : keys)
+    {
+      ++this->KeysBelow[static_cast<std::size_t>(Key::GetCommonDepth(center, key))];
+    }
+    std::partial_sum(this->KeysBelow.rbegin(), this->KeysBelow.rend(), this->KeysBelow.rbegin());
+  }
+
+  /** 0 where the node is not on the way. */
+  std::uint64_t CountIn(Key node) const
+  {
+    const int depth = node.GetDepth();
+    return this->Center.AtDepth(depth) == node ? this->KeysBelow[static_cast<std::size_t>(depth)]
+                                               : 0;
+  }
+
+private:
+  Key Center;
+  std::array<std::uint64_t, Key::MaxDepth + 1> KeysBelow{}; ///< In its node at a depth.
+};
 
 /** The first `count` keys in an order, sorted by it. */
 template <typename Keys, typename Order>
@@ -103,6 +135,22 @@ typename CurveDivision<Dim>::Keys CurveDivision<Dim>::GetNodesAcross() const
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
+}
+
+template <int Dim>
+std::vector<std::uint64_t> CurveDivision<Dim>::CountInNodesAcross(
+  std::size_t part, const Keys& keys) const
+{
+  const CurveRange<Dim> range = this->GetRange(part);
+  const KeysAround<Dim> first(range.First, keys);
+  const KeysAround<Dim> last(range.Last, keys);
+  std::vector<std::uint64_t> counts;
+  for (const Key node : this->GetNodesAcross())
+  {
+    // One that has a key of the part, and one of another, has an end of the part.
+    counts.push_back(std::max(first.CountIn(node), last.CountIn(node)));
+  }
+  return counts;
 }
 
 template <int Dim>

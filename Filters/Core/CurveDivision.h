@@ -52,6 +52,8 @@ public:
   /** Keys of all nodes with keys in several parts, by value: where they are internal, no builder
    * has all of their points. At most MaxDepth + 1 for each cut. */
   Keys GetNodesAcross() const;
+  /** How many of the keys of a part are in each of these nodes. O(n) for n keys. */
+  std::vector<std::uint64_t> CountInNodesAcross(std::size_t part, const Keys& keys) const;
 
   /** How many points a builder needs on either side of its part. */
   static std::size_t CountOverlap(std::size_t maxPointsPerLeaf) { return maxPointsPerLeaf + 1; }

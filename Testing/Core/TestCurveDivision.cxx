@@ -28,7 +28,7 @@ struct Builders
   using Division = CurveDivision<Dim>;
   std::unique_ptr<Division> Divided;
   std::vector<std::unique_ptr<Octree<Dim>>> Trees;
-  std::vector<std::size_t> OwnPoints;
+  std::vector<Keys<Dim>> Own;
 
   Builders(const PointSample<Dim, double>& sample, const Octree<Dim>& whole, std::size_t number)
   {
@@ -49,34 +49,33 @@ struct Builders
       samples.insert(samples.end(), ofBuilder.begin(), ofBuilder.end());
     }
     this->Divided = std::make_unique<Division>(samples, number, options.MaxDepth);
-    std::vector<Keys<Dim>> own(number);
+    this->Own.resize(number);
     for (const Keys<Dim>& keys : given)
     {
       const std::vector<Keys<Dim>> dealt = this->Divided->Deal(keys);
       for (std::size_t part = 0; part < number; ++part)
       {
-        own[part].insert(own[part].end(), dealt[part].begin(), dealt[part].end());
+        this->Own[part].insert(this->Own[part].end(), dealt[part].begin(), dealt[part].end());
       }
     }
-    this->Build(own, whole);
+    this->Build(whole);
   }
 
 private:
-  void Build(const std::vector<Keys<Dim>>& own, const Octree<Dim>& whole)
+  void Build(const Octree<Dim>& whole)
   {
     const std::size_t overlap = Division::CountOverlap(whole.GetOptions().MaxPointsPerLeaf);
     std::vector<Keys<Dim>> first;
     std::vector<Keys<Dim>> last;
-    for (const Keys<Dim>& keys : own)
+    for (const Keys<Dim>& keys : this->Own)
     {
       first.push_back(Division::FindFirst(keys, overlap));
       last.push_back(Division::FindLast(keys, overlap));
-      this->OwnPoints.push_back(keys.size());
     }
-    for (std::size_t part = 0; part < own.size(); ++part)
+    for (std::size_t part = 0; part < this->Own.size(); ++part)
     {
       Keys<Dim> keys = Division::GetAround(part, first, last, overlap);
-      keys.insert(keys.end(), own[part].begin(), own[part].end());
+      keys.insert(keys.end(), this->Own[part].begin(), this->Own[part].end());
       this->Trees.push_back(
         std::make_unique<Octree<Dim>>(whole.GetGrid(), keys, whole.GetOptions(), Execution()));
     }
@@ -195,6 +194,26 @@ TYPED_TEST(TestCurveDivision, CountsOfPartsAddUp)
     });
 }
 
+TYPED_TEST(TestCurveDivision, PointsOfNodesAcrossAddUp)
+{
+  constexpr int dim = TypeParam::value;
+  ForEachDivision<dim>(
+    [](const Octree<dim>& whole, const Builders<dim>& builders)
+    {
+      const Keys<dim> nodes = builders.Divided->GetNodesAcross();
+      DepthHistogram counts(nodes.size());
+      for (std::size_t part = 0; part < builders.Own.size(); ++part)
+      {
+        Add(builders.Divided->CountInNodesAcross(part, builders.Own[part]), counts);
+      }
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        const auto node = whole.FindNode(nodes[i]);
+        EXPECT_TRUE(!node || node->GetNumberOfPoints() == counts[i]);
+      }
+    });
+}
+
 TYPED_TEST(TestCurveDivision, SearchesInThePartOfTheirKeyAreThoseInTheOneTree)
 {
   constexpr int dim = TypeParam::value;
@@ -260,9 +279,9 @@ TEST(TestCurveDivisionFacts, PartsHaveAboutAsManyPoints)
   const PointSample<3, double> sample{ "many", MakeClusteredPoints<3, double>(40000, 13) };
   const SampleTree<3, double> made(sample);
   const Builders<3> builders(sample, made.Tree, 5);
-  for (const std::size_t points : builders.OwnPoints)
+  for (const Keys<3>& keys : builders.Own)
   {
-    EXPECT_NEAR(static_cast<double>(points), 8000.0, 800.0);
+    EXPECT_NEAR(static_cast<double>(keys.size()), 8000.0, 800.0);
   }
 }
 

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DistributedOctree.h"
+
+#include "CurveDivision.h"
+#include "RangeDepths.h"
+
+#include <utility>
+
+namespace hashedoctree
+{
+namespace
+{
+/** Shares of the progress: where each step ends. The rest is for counting. */
+constexpr double DealingShare = 0.2;
+constexpr double TreeShare = 0.9;
+
+template <typename T>
+std::vector<T> Join(const std::vector<std::vector<T>>& parts)
+{
+  std::vector<T> all;
+  for (const std::vector<T>& part : parts)
+  {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+template <int Dim>
+CurveDivision<Dim> DivideCurve(
+  const ProcessGroup& processes, const std::vector<MortonKey<Dim>>& keys, int maxDepth)
+{
+  const std::uint64_t all = processes.Sum(keys.size());
+  const std::size_t number = processes.GetNumber();
+  std::vector<MortonKey<Dim>> sample;
+  processes.Together(
+    [&]
+    {
+      RequirePointIndices(all);
+      sample = CurveDivision<Dim>::Sample(keys, all, number);
+    });
+  return CurveDivision<Dim>(Join(processes.Gather(sample)), number, maxDepth);
+}
+
+/** The keys of this process's part, given those of its points. */
+template <int Dim>
+std::vector<MortonKey<Dim>> SendToParts(const ProcessGroup& processes,
+  const CurveDivision<Dim>& division, std::vector<MortonKey<Dim>> keys)
+{
+  std::vector<std::vector<MortonKey<Dim>>> dealt;
+  processes.Together(
+    [&]
+    {
+      dealt = division.Deal(keys);
+      keys = {};
+    });
+  return Join(processes.Exchange(dealt));
+}
+
+/** Adds to the keys of this process's part those on both sides of it. */
+template <int Dim>
+void AddOverlap(
+  const ProcessGroup& processes, std::vector<MortonKey<Dim>>& keys, std::size_t overlap)
+{
+  using Division = CurveDivision<Dim>;
+  typename Division::Keys first;
+  typename Division::Keys last;
+  processes.Together(
+    [&]
+    {
+      first = Division::FindFirst(keys, overlap);
+      last = Division::FindLast(keys, overlap);
+    });
+  const auto firstOfParts = processes.Gather(first);
+  const auto lastOfParts = processes.Gather(last);
+  const auto around = Division::GetAround(processes.GetRank(), firstOfParts, lastOfParts, overlap);
+  keys.insert(keys.end(), around.begin(), around.end());
+}
+
+/** Adds up what each process has counted, down to the deepest leaf of all. */
+DepthHistogram Sum(const ProcessGroup& processes, DepthHistogram histogram, std::size_t depths)
+{
+  histogram.resize(depths);
+  processes.Sum(histogram);
+  return histogram;
+}
+
+DepthCounts SumCounts(const ProcessGroup& processes, const DepthCounts& counts)
+{
+  auto depths = static_cast<double>(counts.Leaves.size());
+  processes.Max(&depths, 1);
+  const auto ofAll = static_cast<std::size_t>(depths);
+  return { Sum(processes, counts.Leaves, ofAll), Sum(processes, counts.EmptyLeaves, ofAll),
+    Sum(processes, counts.Points, ofAll) };
+}
+
+/** The points of all processes in the nodes that are in several parts. */
+template <int Dim>
+std::map<std::uint64_t, PointIndex> CountPointsAcross(const ProcessGroup& processes,
+  const CurveDivision<Dim>& division, const std::vector<MortonKey<Dim>>& ownKeys)
+{
+  std::vector<std::uint64_t> counts = division.CountInNodesAcross(processes.GetRank(), ownKeys);
+  processes.Sum(counts);
+  std::map<std::uint64_t, PointIndex> points;
+  std::size_t i = 0;
+  for (const MortonKey<Dim> node : division.GetNodesAcross())
+  {
+    points[node.GetValue()] = static_cast<PointIndex>(counts[i++]);
+  }
+  return points;
+}
+}
+
+template <int Dim>
+PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup& processes, const Grid<Dim>& grid,
+  std::vector<MortonKey<Dim>> keys, const typename Octree<Dim>::Options& options,
+  const Execution& execution)
+{
+  const CurveDivision<Dim> division = DivideCurve(processes, keys, options.MaxDepth);
+  keys = SendToParts(processes, division, std::move(keys));
+  PointsOctree<Dim> octree;
+  octree.Processes = processes;
+  octree.Part = division.GetRange(processes.GetRank());
+  octree.PointsAcross = CountPointsAcross(processes, division, keys);
+  AddOverlap(processes, keys, CurveDivision<Dim>::CountOverlap(options.MaxPointsPerLeaf));
+  DepthCounts counts;
+  processes.Together(
+    [&]
+    {
+      octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(DealingShare, TreeShare));
+      counts = CountDepths(octree.Tree, octree.Part, execution.Part(TreeShare, 1.0));
+    });
+  octree.Counts = SumCounts(processes, counts);
+  octree.TreeBytes = processes.Sum(octree.Tree.GetTreeBytes());
+  return octree;
+}
+
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup&, const Grid<Dim>&,         \
+    std::vector<MortonKey<Dim>>, const Octree<Dim>::Options&, const Execution&);
+HASHEDOCTREE_INSTANTIATE(2)
+HASHEDOCTREE_INSTANTIATE(3)
+#undef HASHEDOCTREE_INSTANTIATE
+}

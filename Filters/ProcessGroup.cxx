@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProcessGroup.h"
+
+#include "Execution.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace hashedoctree
+{
+namespace
+{
+void Require(int done)
+{
+  if (done == 0)
+  {
+    throw std::runtime_error("The processes cannot exchange data; see what MPI says.");
+  }
+}
+
+template <typename Value>
+void Reduce(vtkMultiProcessController* controller, Value* values, std::size_t count, int operation)
+{
+  if (controller != nullptr)
+  {
+    const std::vector<Value> own(values, values + count);
+    Require(controller->AllReduce(own.data(), values, static_cast<vtkIdType>(count), operation));
+  }
+}
+
+/** Where the values of each process begin when they stand one after the other. */
+std::vector<vtkIdType> GetOffsets(const std::vector<vtkIdType>& lengths)
+{
+  std::vector<vtkIdType> offsets(lengths.size(), 0);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+  return offsets;
+}
+
+template <typename Word>
+std::vector<std::vector<Word>> Split(
+  const std::vector<Word>& all, const std::vector<vtkIdType>& lengths)
+{
+  std::vector<std::vector<Word>> parts;
+  auto begin = all.begin();
+  for (const vtkIdType length : lengths)
+  {
+    parts.emplace_back(begin, begin + length);
+    begin += length;
+  }
+  return parts;
+}
+}
+
+std::size_t ProcessGroup::GetNumber() const
+{
+  return this->Controller != nullptr
+    ? static_cast<std::size_t>(this->Controller->GetNumberOfProcesses())
+    : 1;
+}
+
+std::size_t ProcessGroup::GetRank() const
+{
+  return this->Controller != nullptr
+    ? static_cast<std::size_t>(this->Controller->GetLocalProcessId())
+    : 0;
+}
+
+void ProcessGroup::TellOfFailure(bool hasFailed) const
+{
+  int failures = hasFailed ? 1 : 0;
+  Reduce(this->Controller, &failures, 1, vtkCommunicator::MAX_OP);
+  if (failures > 0 && !hasFailed)
+  {
+    throw Interrupted();
+  }
+}
+
+void ProcessGroup::Sum(std::vector<std::uint64_t>& values) const
+{
+  Words words = ToWords(values);
+  Reduce(this->Controller, words.data(), words.size(), vtkCommunicator::SUM_OP);
+  values.assign(words.begin(), words.end());
+}
+
+std::uint64_t ProcessGroup::Sum(std::uint64_t value) const
+{
+  std::vector<std::uint64_t> values{ value };
+  this->Sum(values);
+  return values.front();
+}
+
+void ProcessGroup::Min(double* values, std::size_t count) const
+{
+  Reduce(this->Controller, values, count, vtkCommunicator::MIN_OP);
+}
+
+void ProcessGroup::Max(double* values, std::size_t count) const
+{
+  Reduce(this->Controller, values, count, vtkCommunicator::MAX_OP);
+}
+
+std::vector<ProcessGroup::Words> ProcessGroup::GatherWords(const Words& words) const
+{
+  if (this->Controller == nullptr)
+  {
+    return { words };
+  }
+  std::vector<vtkIdType> lengths(this->GetNumber());
+  const auto own = static_cast<vtkIdType>(words.size());
+  Require(this->Controller->AllGather(&own, lengths.data(), 1));
+  std::vector<vtkIdType> offsets = GetOffsets(lengths);
+  Words all;
+  this->Together([&] { all.resize(static_cast<std::size_t>(offsets.back() + lengths.back())); });
+  Require(
+    this->Controller->AllGatherV(words.data(), all.data(), own, lengths.data(), offsets.data()));
+  return Split(all, lengths);
+}
+
+std::vector<ProcessGroup::Words> ProcessGroup::ExchangeWords(const std::vector<Words>& words) const
+{
+  if (this->Controller == nullptr)
+  {
+    return words;
+  }
+  std::vector<vtkIdType> ownLengths;
+  for (const Words& ofProcess : words)
+  {
+    ownLengths.push_back(static_cast<vtkIdType>(ofProcess.size()));
+  }
+  const auto number = static_cast<vtkIdType>(words.size());
+  std::vector<vtkIdType> allLengths(words.size() * words.size()); // By giver, then by taker.
+  Require(this->Controller->AllGather(ownLengths.data(), allLengths.data(), number));
+
+  std::vector<vtkIdType> lengths;
+  for (std::size_t giver = 0; giver < words.size(); ++giver)
+  {
+    lengths.push_back(allLengths[giver * words.size() + this->GetRank()]);
+  }
+  std::vector<vtkIdType> offsets = GetOffsets(lengths);
+  Words all;
+  this->Together([&] { all.resize(static_cast<std::size_t>(offsets.back() + lengths.back())); });
+  for (std::size_t taker = 0; taker < words.size(); ++taker)
+  {
+    Require(this->Controller->GatherV(words[taker].data(), all.data(), ownLengths[taker],
+      lengths.data(), offsets.data(), static_cast<int>(taker)));
+  }
+  return Split(all, lengths);
+}
+}
