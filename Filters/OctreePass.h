@@ -67,6 +67,9 @@ public:
     this->Execute(input, GetPorts(outputVector), IsPiece(request, outputVector), makeOutputs);
   }
 
+  /** Those who made the trees together, of all calls so far. */
+  const ProcessGroup& GetProcesses() const { return this->Processes; }
+
   static Targets GetPorts(vtkInformationVector* outputVector);
 
   /** Those that have the other pieces: of the algorithm's controller when as many pieces are asked

@@ -8,6 +8,7 @@
 #include "InRadiusSearch.h"
 #include "OctreeCells.h"
 #include "OctreePass.h"
+#include "RangeCount.h"
 #include "ResizeArray.h"
 #include "StartDepths.h"
 
@@ -19,7 +20,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <optional>
 #include <sstream>
@@ -36,14 +36,13 @@ namespace
 constexpr double NodesShare = 0.35;
 constexpr double CellsShare = 0.95;
 
-/** The query leaf stands apart: what draws boxes leaves out faces that two of them share, all of it
- * among neighbours of its depth, and goes by the points, so that its edges are drawn last. */
-constexpr std::size_t QueryLeaves = 1;
-
 constexpr std::size_t ChunkSize = 8192; // Neighbours that a thread does at a time.
 
 template <int Dim>
 using Node = typename Octree<Dim>::Node;
+/** How many neighbours of each case there are. */
+using CaseCounts = std::vector<std::uint64_t>;
+constexpr std::size_t NumberOfCases = vtkHashedOctreeNeighborsFilter::Above + 1;
 template <int Dim>
 using Neighbors = std::vector<hashedoctree::Neighbor<Dim>>;
 
@@ -60,64 +59,67 @@ int GetCase(NeighborCase neighborCase)
   }
 }
 
-/** The query leaf, then its neighbours. */
+/** The query leaf, where it is given, then its neighbours. */
 template <int Dim>
-Buffer<Node<Dim>> ListNodes(const Octree<Dim>& tree, const Node<Dim>& query,
+Buffer<Node<Dim>> ListNodes(const Octree<Dim>& tree, const std::optional<Node<Dim>>& query,
   const Neighbors<Dim>& neighbors, const Execution& execution)
 {
-  Buffer<Node<Dim>> nodes(1 + neighbors.size());
-  nodes[0] = query;
+  const std::size_t queries = query ? 1 : 0;
+  Buffer<Node<Dim>> nodes(queries + neighbors.size());
+  if (query)
+  {
+    nodes[0] = *query;
+  }
   execution.For(neighbors.size(), ChunkSize,
     [&](std::size_t first, std::size_t last)
     {
       for (std::size_t i = first; i < last; ++i)
       {
-        nodes[1 + i] = tree.GetChild(neighbors[i].ParentBlock, neighbors[i].Key.GetOctant());
+        nodes[queries + i] = tree.GetChild(neighbors[i].ParentBlock, neighbors[i].Key.GetOctant());
       }
     });
   return nodes;
 }
 
-/** Cell arrays Role and Case (active), and the number of neighbours of each case. */
+/** Cell arrays Role and Case (active). Returns the number of neighbours of each case. */
 template <int Dim>
-void AddNeighborArrays(
-  vtkUnstructuredGrid* output, const Neighbors<Dim>& neighbors, const Execution& execution)
+CaseCounts AddNeighborArrays(vtkUnstructuredGrid* output, std::size_t queries,
+  const Neighbors<Dim>& neighbors, const Execution& execution)
 {
   using Filter = vtkHashedOctreeNeighborsFilter;
-  using Counts = std::array<vtkIdType, 4>;
   vtkNew<vtkIntArray> roles;
   roles->SetName("Role");
-  ResizeArray(roles.Get(), 1 + neighbors.size());
-  roles->SetValue(0, Filter::Query);
+  ResizeArray(roles.Get(), queries + neighbors.size());
   vtkNew<vtkIntArray> cases;
   cases->SetName("Case");
-  ResizeArray(cases.Get(), 1 + neighbors.size());
-  cases->SetValue(0, Filter::QueryLeaf);
+  ResizeArray(cases.Get(), queries + neighbors.size());
+  if (queries > 0)
+  {
+    roles->SetValue(0, Filter::Query);
+    cases->SetValue(0, Filter::QueryLeaf);
+  }
   const auto ofChunks = execution.MapChunks(neighbors.size(), ChunkSize,
     [&](std::size_t first, std::size_t last)
     {
-      Counts ofChunk{};
+      CaseCounts ofChunk(NumberOfCases);
       for (std::size_t i = first; i < last; ++i)
       {
         const int neighborCase = GetCase(neighbors[i].Case);
-        roles->SetValue(static_cast<vtkIdType>(1 + i), Filter::Neighbor);
-        cases->SetValue(static_cast<vtkIdType>(1 + i), neighborCase);
+        roles->SetValue(static_cast<vtkIdType>(queries + i), Filter::Neighbor);
+        cases->SetValue(static_cast<vtkIdType>(queries + i), neighborCase);
         ++ofChunk[static_cast<std::size_t>(neighborCase)];
       }
       return ofChunk;
     });
-  Counts counts{};
-  for (const Counts& ofChunk : ofChunks)
-  {
-    std::transform(counts.begin(), counts.end(), ofChunk.begin(), counts.begin(), std::plus<>());
-  }
   output->GetCellData()->AddArray(roles);
   output->GetCellData()->AddArray(cases);
   output->GetCellData()->SetActiveScalars("Case");
-  vtkFieldData* fieldData = output->GetFieldData();
-  AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfSameDepthNeighbors", counts[Filter::SameDepth]);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfDescendedNeighbors", counts[Filter::Descended]);
-  AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfAboveNeighbors", counts[Filter::Above]);
+  CaseCounts counts(NumberOfCases);
+  for (const CaseCounts& ofChunk : ofChunks)
+  {
+    std::transform(counts.begin(), counts.end(), ofChunk.begin(), counts.begin(), std::plus<>());
+  }
+  return counts;
 }
 }
 
@@ -151,43 +153,40 @@ public:
   template <int Dim>
   OctreePass::Outputs Process(const PointsOctree<Dim>& octree, const Execution& execution)
   {
-    const Octree<Dim>& tree = octree.Tree;
-    const int startDepth = GetStartDepth(tree, GetStartDepthOptions<Dim>(this->Self));
+    const int startDepth = GetStartDepth(octree, GetStartDepthOptions<Dim>(this->Self));
     ++this->Trees;
-    const std::optional<Node<Dim>> query = this->FindQuery(octree, startDepth);
-    if (!query)
+    const std::uint64_t found = this->FindQuery(octree, startDepth).GetValue();
+    const MortonKey<Dim> query(octree.Processes.Sum(found)); // One process at most has it.
+    if (query == MortonKey<Dim>())
     {
       return {};
     }
     ++this->TreesWithQuery;
-
-    Neighbors<Dim> neighbors;
-    NodeCount examined;
-    if (this->Self->SearchMode == InRadius)
-    {
-      FindLeavesInRadius(
-        tree, query->NodeKey, this->Self->Radius, startDepth, neighbors, examined, this->Reading);
-    }
-    else
-    {
-      FindAdjacentLeaves(tree, query->NodeKey, startDepth, neighbors, examined, this->Reading);
-    }
-
     vtkNew<vtkUnstructuredGrid> cells;
-    const Buffer<Node<Dim>> nodes =
-      ListNodes<Dim>(tree, *query, neighbors, execution.Part(OctreePass::BuildShare, NodesShare));
-    OctreeCells<Dim>(tree, startDepth, nodes, octree.Frame, QueryLeaves)
-      .MakeVoxels(cells, execution.Part(NodesShare, CellsShare));
-    AddNeighborArrays<Dim>(cells, neighbors, execution.Part(CellsShare, 1.0));
-    AddFieldValue<vtkIntArray>(cells->GetFieldData(), "StartDepth", startDepth);
-    AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "ExaminedNodes", examined.Nodes);
-    AddFieldValue<vtkIdTypeArray>(cells->GetFieldData(), "SkippedPoints", octree.SkippedPoints);
+    CaseCounts counts;
+    RangeCount<Dim> examined(octree.Part);
+    octree.Processes.Together(
+      [&]
+      {
+        const Neighbors<Dim> neighbors = this->FindNeighbors(octree, query, startDepth, examined);
+        counts = MakeCells(octree, query, startDepth, neighbors, cells, execution);
+      });
+    octree.Processes.Sum(counts);
+
+    vtkFieldData* fieldData = cells->GetFieldData();
+    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfSameDepthNeighbors", counts[SameDepth]);
+    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfDescendedNeighbors", counts[Descended]);
+    AddFieldValue<vtkIdTypeArray>(fieldData, "NumberOfAboveNeighbors", counts[Above]);
+    AddFieldValue<vtkIntArray>(fieldData, "StartDepth", startDepth);
+    AddFieldValue<vtkIdTypeArray>(
+      fieldData, "ExaminedNodes", octree.Processes.Sum(examined.GetNodes()));
+    AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
     return { cells.Get() };
   }
 
   /** Throws std::invalid_argument when no tree has the leaf of LeafKey, unless other pieces may
-   * have it; warns when trees have none at Center. */
-  void CheckQueryLeaves(bool isPiece) const
+   * have it, which are not of these processes; warns when trees have none at Center. */
+  void CheckQueryLeaves(bool isPiece, const ProcessGroup& processes) const
   {
     if (this->TreesWithQuery == this->Trees)
     {
@@ -195,6 +194,10 @@ public:
     }
     if (!this->Self->UseLeafKey)
     {
+      if (!processes.IsFirst())
+      {
+        return; // All would warn of the same.
+      }
       std::ostringstream where;
       if (this->Trees > 1)
       {
@@ -205,7 +208,7 @@ public:
         << "Center lies in an empty cell" << where.str()
         << ", where there is no leaf; move it to points, or turn IncludeEmptyLeaves on.");
     }
-    else if (this->TreesWithQuery == 0 && !isPiece)
+    else if (this->TreesWithQuery == 0 && (!isPiece || processes.AreSeveral()))
     {
       std::ostringstream problem;
       problem << "LeafKey " << this->Self->LeafKey
@@ -216,18 +219,62 @@ public:
   }
 
 private:
+  /** The leaf, if it is to be found in this process's part of the tree, else key 0. */
   template <int Dim>
-  std::optional<Node<Dim>> FindQuery(const PointsOctree<Dim>& octree, int startDepth) const
+  MortonKey<Dim> FindQuery(const PointsOctree<Dim>& octree, int startDepth) const
   {
     const Octree<Dim>& tree = octree.Tree;
     MortonKey<Dim> key(static_cast<std::uint64_t>(this->Self->LeafKey));
+    MortonKey<Dim> where = key;
     if (!this->Self->UseLeafKey)
     {
-      const Position<Dim> center = octree.Frame.Project(this->Self->Center);
-      key = FindLeaf(tree, tree.GetGrid().GetKey(center), startDepth).Key;
+      where = tree.GetGrid().GetKey(octree.Frame.Project(this->Self->Center));
+      key = FindLeaf(tree, where, startDepth).Key;
     }
     const std::optional<Node<Dim>> node = tree.FindNode(key, this->Reading);
-    return node && !node->Internal ? node : std::nullopt;
+    return node && !node->Internal && octree.Part.Has(where) ? key : MortonKey<Dim>(0);
+  }
+
+  /** Those in this process's part of the tree. */
+  template <int Dim>
+  Neighbors<Dim> FindNeighbors(const PointsOctree<Dim>& octree, MortonKey<Dim> query,
+    int startDepth, RangeCount<Dim>& examined) const
+  {
+    const Octree<Dim>& tree = octree.Tree;
+    Neighbors<Dim> found;
+    if (this->Self->SearchMode == InRadius)
+    {
+      FindLeavesInRadius(
+        tree, query, this->Self->Radius, startDepth, found, examined, this->Reading);
+    }
+    else
+    {
+      FindAdjacentLeaves(tree, query, startDepth, found, examined, this->Reading);
+    }
+    const auto isElsewhere = [&octree](const hashedoctree::Neighbor<Dim>& neighbor)
+    { return !octree.Part.Has(neighbor.Key); };
+    found.erase(std::remove_if(found.begin(), found.end(), isElsewhere), found.end());
+    return found;
+  }
+
+  /** Returns the number of neighbours of each case. */
+  template <int Dim>
+  static CaseCounts MakeCells(const PointsOctree<Dim>& octree, MortonKey<Dim> query, int startDepth,
+    const Neighbors<Dim>& neighbors, vtkUnstructuredGrid* cells, const Execution& execution)
+  {
+    std::optional<Node<Dim>> listed;
+    if (octree.Part.Has(query))
+    {
+      listed = octree.Tree.FindNode(query);
+    }
+    // The query leaf stands apart: what draws boxes leaves out faces that two of them share, all of
+    // it among neighbours of its depth, and goes by the points, so that its edges are drawn last.
+    const std::size_t apart = listed ? 1 : 0;
+    const Buffer<Node<Dim>> nodes = ListNodes<Dim>(
+      octree.Tree, listed, neighbors, execution.Part(OctreePass::BuildShare, NodesShare));
+    OctreeCells<Dim>(octree.Tree, startDepth, nodes, octree.Frame, apart)
+      .MakeVoxels(cells, execution.Part(NodesShare, CellsShare));
+    return AddNeighborArrays<Dim>(cells, apart, neighbors, execution.Part(CellsShare, 1.0));
   }
 
   vtkHashedOctreeNeighborsFilter* Self;
@@ -256,10 +303,11 @@ int vtkHashedOctreeNeighborsFilter::RequestData(
     {
       Run run(this);
       run.RequireQuery();
-      OctreePass(this).Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
+      OctreePass pass(this, OctreePass::FindProcesses(this, request, outputVector));
+      pass.Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
         [&run](const auto& octree, const Execution& execution)
         { return run.Process(octree, execution); });
-      run.CheckQueryLeaves(OctreePass::IsPiece(request, outputVector));
+      run.CheckQueryLeaves(OctreePass::IsPiece(request, outputVector), pass.GetProcesses());
     });
 }
 

@@ -4,6 +4,7 @@
 #include "NeighborBuffer.h"
 #include "NeighborCells.h"
 #include "NeighborDirection.h"
+#include "RangeCount.h"
 
 namespace hashedoctree
 {
@@ -96,6 +97,7 @@ private:
   void SearchOctants(
     Key key, const Entry& entry, unsigned octants, NeighborCase kind, const OnInternal& onInternal)
   {
+    this->Examined.Enter(key);
     this->Examined.AddNodes(__builtin_popcount(octants));
     unsigned rest = this->Reading == EmptyOctants::Leaves ? octants : octants & entry.Occupied;
     for (unsigned internal = rest & entry.Internal; internal != 0; internal &= internal - 1)
@@ -131,7 +133,9 @@ void FindAdjacentLeaves(const Octree<Dim>& tree, MortonKey<Dim> node, int startD
   template void FindAdjacentLeaves(                                                                \
     const Octree<Dim>&, MortonKey<Dim>, int, std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants); \
   template void FindAdjacentLeaves(const Octree<Dim>&, MortonKey<Dim>, int,                        \
-    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);
+    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);                                        \
+  template void FindAdjacentLeaves(const Octree<Dim>&, MortonKey<Dim>, int,                        \
+    std::vector<Neighbor<Dim>>&, RangeCount<Dim>&, EmptyOctants);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)

@@ -40,7 +40,7 @@ namespace hashedoctree
  * parent that turns out to have no children, the children that case 2 looks at, and the nodes that
  * the direct searches of case 3 examine. Allocates only where `found` grows. Thread safe.
  *
- * Instantiated for NoCount and NodeCount.
+ * Instantiated for NoCount, NodeCount and RangeCount.
  */
 template <int Dim, typename Count>
 void FindAdjacentLeaves(const Octree<Dim>& tree, MortonKey<Dim> node, int startDepth,

@@ -41,6 +41,10 @@ struct FoundLeaf
 /** Counts nothing, and costs nothing. */
 struct NoCount
 {
+  template <int Dim>
+  void Enter(MortonKey<Dim>)
+  {
+  }
   void AddNode() {}
   void AddNodes(int) {}
 };
@@ -49,6 +53,11 @@ struct NoCount
 struct NodeCount
 {
   std::uint64_t Nodes = 0;
+  /** A neighbour search tells on behalf of which node it examines the next ones. */
+  template <int Dim>
+  void Enter(MortonKey<Dim>)
+  {
+  }
   void AddNode() { ++this->Nodes; }
   void AddNodes(int count) { this->Nodes += static_cast<std::uint64_t>(count); }
 };

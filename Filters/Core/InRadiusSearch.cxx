@@ -3,6 +3,7 @@
 
 #include "NeighborBuffer.h"
 #include "NodeBall.h"
+#include "RangeCount.h"
 
 #include <type_traits>
 
@@ -153,6 +154,7 @@ private:
     Machine machine, const Node& node, const Children& children, double size, NeighborCase kind)
   {
     const std::uint32_t others = this->GetOthers(node.NodeKey);
+    this->Examined.Enter(node.NodeKey);
     this->Examined.AddNodes(__builtin_popcount(others));
     const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : children.Occupied;
     const std::uint32_t meeting =
@@ -220,7 +222,9 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
     std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants);                                          \
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
-    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);
+    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);                                        \
+  template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
+    std::vector<Neighbor<Dim>>&, RangeCount<Dim>&, EmptyOctants);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)

@@ -33,8 +33,8 @@ namespace hashedoctree
  * nodes that the direct searches examine. O(nodes that meet the ball, and their children), plus
  * O(MaxDepth). Allocates only where `found` grows. Thread safe.
  *
- * Instantiated for NoCount, for AVX2, too (which one runs is found at run time), and for NodeCount,
- * only as it runs on every machine.
+ * Instantiated for NoCount, for AVX2, too (which one runs is found at run time), and for NodeCount
+ * and RangeCount, only as it runs on every machine.
  */
 template <int Dim, typename Count>
 void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,

@@ -89,6 +89,7 @@ HASHEDOCTREE_INLINE void ReachCells(const Octree<Dim>& tree, const NeighborCells
       onBlock(keys[i].Corner, key, *entry);
       continue;
     }
+    count.Enter(key);
     count.AddNode();
     const FoundLeaf<Dim> leaf =
       FindLeaf(tree, key.GetFirstAtMaxDepth(), std::min(startDepth, cells.Depth), count, reading);

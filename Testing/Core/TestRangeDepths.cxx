@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RangeDepths.h"
+
+#include "CurveBuilders.h"
+#include "Dimensions.h"
+#include "MeasuredCost.h"
+
+#include <algorithm>
+#include <functional>
+
+using namespace hashedoctree;
+
+namespace
+{
+void Add(const DepthHistogram& part, DepthHistogram& sum)
+{
+  sum.resize(std::max(sum.size(), part.size()));
+  std::transform(part.begin(), part.end(), sum.begin(), sum.begin(), std::plus<>());
+}
+}
+
+template <typename Dimension>
+class TestRangeDepths : public ::testing::Test
+{
+};
+TYPED_TEST_SUITE(TestRangeDepths, Dimensions);
+
+TYPED_TEST(TestRangeDepths, CountsOfPartsAddUp)
+{
+  constexpr int dim = TypeParam::value;
+  ForEachDivision<dim>(
+    [](const Octree<dim>& whole, const CurveBuilders<dim>& builders)
+    {
+      const int last = MeasuredCost::GetLastStartDepth(whole.GetDeepestDepth());
+      DepthCounts counts;
+      ExaminedNodes examined;
+      for (std::size_t part = 0; part < builders.Trees.size(); ++part)
+      {
+        const CurveRange<dim> range = builders.Divided->GetRange(part);
+        const DepthCounts ofPart = CountDepths(*builders.Trees[part], range, Execution());
+        Add(ofPart.Leaves, counts.Leaves);
+        Add(ofPart.EmptyLeaves, counts.EmptyLeaves);
+        Add(ofPart.Points, counts.Points);
+        const ExaminedNodes examinedInPart =
+          MeasureExaminedNodes(*builders.Trees[part], range, last, Execution());
+        Add(examinedInPart.Leaves, examined.Leaves);
+        Add(examinedInPart.Points, examined.Points);
+      }
+      EXPECT_EQ(counts.Leaves, whole.GetDepthCounts().Leaves);
+      EXPECT_EQ(counts.EmptyLeaves, whole.GetDepthCounts().EmptyLeaves);
+      EXPECT_EQ(counts.Points, whole.GetDepthCounts().Points);
+      const MeasuredCost expected = MeasureCost(whole, Execution());
+      const MeasuredCost measured(examined, counts);
+      EXPECT_EQ(measured.Leaves, expected.Leaves);
+      EXPECT_EQ(measured.Points, expected.Points);
+    });
+}
