@@ -31,13 +31,8 @@ CurveDivision<Dim> DivideCurve(
 {
   const std::uint64_t all = processes.Sum(keys.size());
   const std::size_t number = processes.GetNumber();
-  std::vector<MortonKey<Dim>> sample;
-  processes.Together(
-    [&]
-    {
-      RequirePointIndices(all);
-      sample = CurveDivision<Dim>::Sample(keys, all, number);
-    });
+  RequirePointIndices(all);
+  const auto sample = CurveDivision<Dim>::Sample(keys, all, number);
   return CurveDivision<Dim>(Join(processes.Gather(sample)), number, maxDepth);
 }
 
@@ -46,13 +41,8 @@ template <int Dim>
 std::vector<MortonKey<Dim>> SendToParts(const ProcessGroup& processes,
   const CurveDivision<Dim>& division, std::vector<MortonKey<Dim>> keys)
 {
-  std::vector<std::vector<MortonKey<Dim>>> dealt;
-  processes.Together(
-    [&]
-    {
-      dealt = division.Deal(keys);
-      keys = {};
-    });
+  const std::vector<std::vector<MortonKey<Dim>>> dealt = division.Deal(keys);
+  keys = {};
   return Join(processes.Exchange(dealt));
 }
 
@@ -62,16 +52,8 @@ void AddOverlap(
   const ProcessGroup& processes, std::vector<MortonKey<Dim>>& keys, std::size_t overlap)
 {
   using Division = CurveDivision<Dim>;
-  typename Division::Keys first;
-  typename Division::Keys last;
-  processes.Together(
-    [&]
-    {
-      first = Division::FindFirst(keys, overlap);
-      last = Division::FindLast(keys, overlap);
-    });
-  const auto firstOfParts = processes.Gather(first);
-  const auto lastOfParts = processes.Gather(last);
+  const auto firstOfParts = processes.Gather(Division::FindFirst(keys, overlap));
+  const auto lastOfParts = processes.Gather(Division::FindLast(keys, overlap));
   const auto around = Division::GetAround(processes.GetRank(), firstOfParts, lastOfParts, overlap);
   keys.insert(keys.end(), around.begin(), around.end());
 }
@@ -115,21 +97,17 @@ PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup& processes, const Gr
   std::vector<MortonKey<Dim>> keys, const typename Octree<Dim>::Options& options,
   const Execution& execution)
 {
-  const CurveDivision<Dim> division = DivideCurve(processes, keys, options.MaxDepth);
-  keys = SendToParts(processes, division, std::move(keys));
   PointsOctree<Dim> octree;
   octree.Processes = processes;
-  octree.Part = division.GetRange(processes.GetRank());
+  octree.Division = DivideCurve(processes, keys, options.MaxDepth);
+  const CurveDivision<Dim>& division = octree.Division;
+  octree.Range = division.GetRange(processes.GetRank());
+  keys = SendToParts(processes, division, std::move(keys));
   octree.PointsAcross = CountPointsAcross(processes, division, keys);
   AddOverlap(processes, keys, CurveDivision<Dim>::CountOverlap(options.MaxPointsPerLeaf));
-  DepthCounts counts;
-  processes.Together(
-    [&]
-    {
-      octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(DealingShare, TreeShare));
-      counts = CountDepths(octree.Tree, octree.Part, execution.Part(TreeShare, 1.0));
-    });
-  octree.Counts = SumCounts(processes, counts);
+  octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(DealingShare, TreeShare));
+  octree.Counts =
+    SumCounts(processes, CountDepths(octree.Tree, octree.Range, execution.Part(TreeShare, 1.0)));
   octree.TreeBytes = processes.Sum(octree.Tree.GetTreeBytes());
   return octree;
 }

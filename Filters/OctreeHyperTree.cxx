@@ -136,7 +136,7 @@ void DescribeVertices(const PointsOctree<Dim>& octree, int startDepth, bool show
     const auto isMasked = [&](std::size_t i)
     {
       const typename Octree<Dim>::Node& node = nodes[i];
-      return !node.Internal && ((hidesSome && node.IsEmpty()) || !octree.Part.Has(node.NodeKey));
+      return !node.Internal && ((hidesSome && node.IsEmpty()) || !octree.Range.Has(node.NodeKey));
     };
     MaskVertices(nodes.GetSize(), isMasked, output, execution.Part(0.8, 1.0));
   }

@@ -59,16 +59,12 @@ PointsOctree<Dim> BuildWithOthers(const ProcessGroup& processes, const TreeFrame
   const Grid<Dim> grid(
     Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
   std::vector<MortonKey<Dim>> keys;
-  processes.Together(
-    [&]
-    {
-      const auto coded = EncodePoints(Project(points, frame, selection.GetBox()),
-        PointSelection<Dim>(selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
-      for (std::size_t i = 0; i < coded.GetSize(); ++i)
-      {
-        keys.push_back(coded[i].GetKey());
-      }
-    });
+  const auto coded = EncodePoints(Project(points, frame, selection.GetBox()),
+    PointSelection<Dim>(selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
+  for (std::size_t i = 0; i < coded.GetSize(); ++i)
+  {
+    keys.push_back(coded[i].GetKey());
+  }
   return BuildDistributedOctree(
     processes, grid, std::move(keys), options, execution.Part(CodesShare, 1.0));
 }
@@ -208,23 +204,17 @@ OctreePass::Outputs OctreePass::Process(
 std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execution& execution)
 {
   const auto start = std::chrono::steady_clock::now();
-  std::optional<PointsAdaptor> points;
-  this->Processes.Together(
-    [&]
-    {
-      RequirePointIndices(static_cast<std::size_t>(input->GetNumberOfPoints())); // Before a copy.
-      points.emplace(input, execution.Part(0.0, AdaptorShare));
-    });
+  RequirePointIndices(static_cast<std::size_t>(input->GetNumberOfPoints())); // Before a copy.
+  const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
   std::optional<AnyPointsOctree> built;
-  points->Visit(
+  points.Visit(
     [&](auto span)
     {
-      std::optional<PointSelection<3>> selection;
-      this->Processes.Together(
-        [&] { selection.emplace(span, this->Root, execution.Part(AdaptorShare, SelectionShare)); });
+      const PointSelection<3> selection(
+        span, this->Root, execution.Part(AdaptorShare, SelectionShare));
       this->AllPoints += input->GetNumberOfPoints();
-      this->SkippedPoints += selection->GetNumberOfSkippedPoints();
-      const std::optional<Box<3>> root = this->FindRoot(*selection);
+      this->SkippedPoints += selection.GetNumberOfSkippedPoints();
+      const std::optional<Box<3>> root = this->FindRoot(selection);
       if (!root)
       {
         return;
@@ -232,7 +222,7 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
       const auto build = [&](const auto& frame)
       {
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
-        built = BuildInFrame(this->Processes, frame, *root, span, *selection,
+        built = BuildInFrame(this->Processes, frame, *root, span, selection,
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
       };
       const auto plane = FindQuadtreeFrame(this->Algorithm, *root);

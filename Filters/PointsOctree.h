@@ -2,37 +2,47 @@
 #ifndef PointsOctree_h
 #define PointsOctree_h
 
-#include "CurveRange.h"
+#include "CurveDivision.h"
 #include "Octree.h"
 #include "ProcessGroup.h"
 #include "TreeFrame.h"
+#include "TreePart.h"
 
 #include <map>
-#include <utility>
 #include <variant>
+#include <vector>
 
 namespace hashedoctree
 {
 /**
  * The octree or quadtree over the points of one data set, and what became of the points that are
  * not in it. Of a data set whose pieces several processes have, each of them has a part of the tree
- * (see CurveDivision): Tree is right in Part only, all numbers are of the whole. Private to the
- * module.
+ * (see CurveDivision): Tree is the one of all in Range only, and all numbers are of the whole.
+ * Private to the module.
  */
 template <int Dim>
 struct PointsOctree
 {
   Octree<Dim> Tree;
   TreeFrame<Dim> Frame;
-  ProcessGroup Processes; ///< Who have the other parts.
-  CurveRange<Dim> Part;   ///< Of a process alone the whole curve.
+  ProcessGroup Processes;      ///< Who have parts of the tree; mostly this one alone.
+  CurveDivision<Dim> Division; ///< The parts, by process.
+  CurveRange<Dim> Range;       ///< This process's.
   DepthCounts Counts;
-  /** Of the nodes with points of several processes: their number, by the value of the key. */
+  /** Of the nodes that lie in several parts, by the values of their keys. */
   std::map<std::uint64_t, PointIndex> PointsAcross;
-  std::size_t TreeBytes = 0;     ///< Of all processes.
+  std::size_t TreeBytes = 0;
   std::size_t SkippedPoints = 0; ///< Not finite, or too large.
   std::size_t OutsidePoints = 0; ///< Outside the given root.
   double BuildSeconds = 0.0;
+
+  /** For what the processes do together. This must outlive it. */
+  TreePart<Dim> GetPart() const
+  {
+    return { this->Tree, this->Range, this->Counts,
+      [processes = this->Processes](std::vector<std::uint64_t>& values)
+      { processes.Sum(values); } };
+  }
 
   std::size_t GetNumberOfPoints() const { return GetTotal(this->Counts.Points); }
   std::size_t GetNumberOfLeaves() const { return GetTotal(this->Counts.Leaves); }
@@ -58,13 +68,6 @@ struct PointsOctree
     }
   }
 };
-
-/** The start depth that a model has for the whole tree. */
-template <int Dim>
-int GetStartDepth(const PointsOctree<Dim>& octree, const StartDepthOptions& options)
-{
-  return GetStartDepth(GetDepthHistogram(octree.Counts, options.Frequency, Dim), options);
-}
 
 using AnyPointsOctree = std::variant<PointsOctree<2>, PointsOctree<3>>;
 }

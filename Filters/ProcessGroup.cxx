@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProcessGroup.h"
 
-#include "Execution.h"
-
 #include "vtkCommunicator.h"
 #include "vtkMultiProcessController.h"
 
@@ -18,16 +16,6 @@ void Require(int done)
   if (done == 0)
   {
     throw std::runtime_error("The processes cannot exchange data; see what MPI says.");
-  }
-}
-
-template <typename Value>
-void Reduce(vtkMultiProcessController* controller, Value* values, std::size_t count, int operation)
-{
-  if (controller != nullptr)
-  {
-    const std::vector<Value> own(values, values + count);
-    Require(controller->AllReduce(own.data(), values, static_cast<vtkIdType>(count), operation));
   }
 }
 
@@ -68,20 +56,37 @@ std::size_t ProcessGroup::GetRank() const
     : 0;
 }
 
-void ProcessGroup::TellOfFailure(bool hasFailed) const
+void ProcessGroup::Agree(bool hasFailed) const
 {
-  int failures = hasFailed ? 1 : 0;
-  Reduce(this->Controller, &failures, 1, vtkCommunicator::MAX_OP);
+  if (this->Controller == nullptr)
+  {
+    return;
+  }
+  const int own = hasFailed ? 1 : 0;
+  int failures = 0;
+  Require(this->Controller->AllReduce(&own, &failures, 1, vtkCommunicator::MAX_OP));
   if (failures > 0 && !hasFailed)
   {
-    throw Interrupted();
+    throw FailedElsewhere();
+  }
+}
+
+template <typename Value>
+void ProcessGroup::Reduce(Value* values, std::size_t count, int operation) const
+{
+  if (this->Controller != nullptr)
+  {
+    const std::vector<Value> own(values, values + count);
+    this->Agree(false);
+    Require(
+      this->Controller->AllReduce(own.data(), values, static_cast<vtkIdType>(count), operation));
   }
 }
 
 void ProcessGroup::Sum(std::vector<std::uint64_t>& values) const
 {
   Words words = ToWords(values);
-  Reduce(this->Controller, words.data(), words.size(), vtkCommunicator::SUM_OP);
+  this->Reduce(words.data(), words.size(), vtkCommunicator::SUM_OP);
   values.assign(words.begin(), words.end());
 }
 
@@ -94,12 +99,12 @@ std::uint64_t ProcessGroup::Sum(std::uint64_t value) const
 
 void ProcessGroup::Min(double* values, std::size_t count) const
 {
-  Reduce(this->Controller, values, count, vtkCommunicator::MIN_OP);
+  this->Reduce(values, count, vtkCommunicator::MIN_OP);
 }
 
 void ProcessGroup::Max(double* values, std::size_t count) const
 {
-  Reduce(this->Controller, values, count, vtkCommunicator::MAX_OP);
+  this->Reduce(values, count, vtkCommunicator::MAX_OP);
 }
 
 std::vector<ProcessGroup::Words> ProcessGroup::GatherWords(const Words& words) const
@@ -110,10 +115,11 @@ std::vector<ProcessGroup::Words> ProcessGroup::GatherWords(const Words& words) c
   }
   std::vector<vtkIdType> lengths(this->GetNumber());
   const auto own = static_cast<vtkIdType>(words.size());
+  this->Agree(false);
   Require(this->Controller->AllGather(&own, lengths.data(), 1));
   std::vector<vtkIdType> offsets = GetOffsets(lengths);
-  Words all;
-  this->Together([&] { all.resize(static_cast<std::size_t>(offsets.back() + lengths.back())); });
+  Words all(static_cast<std::size_t>(offsets.back() + lengths.back()));
+  this->Agree(false);
   Require(
     this->Controller->AllGatherV(words.data(), all.data(), own, lengths.data(), offsets.data()));
   return Split(all, lengths);
@@ -132,6 +138,7 @@ std::vector<ProcessGroup::Words> ProcessGroup::ExchangeWords(const std::vector<W
   }
   const auto number = static_cast<vtkIdType>(words.size());
   std::vector<vtkIdType> allLengths(words.size() * words.size()); // By giver, then by taker.
+  this->Agree(false);
   Require(this->Controller->AllGather(ownLengths.data(), allLengths.data(), number));
 
   std::vector<vtkIdType> lengths;
@@ -140,8 +147,8 @@ std::vector<ProcessGroup::Words> ProcessGroup::ExchangeWords(const std::vector<W
     lengths.push_back(allLengths[giver * words.size() + this->GetRank()]);
   }
   std::vector<vtkIdType> offsets = GetOffsets(lengths);
-  Words all;
-  this->Together([&] { all.resize(static_cast<std::size_t>(offsets.back() + lengths.back())); });
+  Words all(static_cast<std::size_t>(offsets.back() + lengths.back()));
+  this->Agree(false);
   for (std::size_t taker = 0; taker < words.size(); ++taker)
   {
     Require(this->Controller->GatherV(words[taker].data(), all.data(), ownLengths[taker],

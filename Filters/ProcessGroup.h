@@ -2,6 +2,8 @@
 #ifndef ProcessGroup_h
 #define ProcessGroup_h
 
+#include "Execution.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -14,9 +16,9 @@ namespace hashedoctree
 {
 /**
  * The processes that hold the pieces of one data set and work on it together; often one alone. All
- * of them have to call the same members in the same order, and each then waits for the others. What
- * may fail in one process only is run by Together(), so that the others do not wait for ever.
- * Private to the module.
+ * of them have to call the same members in the same order, and each then waits for the others: all
+ * of that within Together(), so that what fails in one process is the end for all. Private to the
+ * module.
  */
 class ProcessGroup
 {
@@ -35,8 +37,8 @@ public:
   bool AreSeveral() const { return this->GetNumber() > 1; }
   bool IsFirst() const { return this->GetRank() == 0; }
 
-  /** Runs something of each process's own. Where it throws, so does this; in the others this throws
-   * Interrupted then. */
+  /** Runs what the processes do together. Where that throws in one process, it throws Interrupted
+   * in the others, at the next time that they wait for each other. */
   template <typename Work>
   void Together(const Work& work) const
   {
@@ -44,12 +46,16 @@ public:
     {
       work();
     }
-    catch (...)
+    catch (const FailedElsewhere&)
     {
-      this->TellOfFailure(true);
       throw;
     }
-    this->TellOfFailure(false);
+    catch (...)
+    {
+      this->Agree(true);
+      throw;
+    }
+    this->Agree(false);
   }
 
   ///@{
@@ -80,6 +86,10 @@ public:
   }
 
 private:
+  /** What all processes know of. */
+  struct FailedElsewhere : Interrupted
+  {
+  };
   using Words = std::vector<unsigned long long>;
 
   template <typename T>
@@ -103,7 +113,10 @@ private:
     return values;
   }
 
-  void TellOfFailure(bool hasFailed) const;
+  /** Waits for all, and throws FailedElsewhere if another one has failed and this one has not. */
+  void Agree(bool hasFailed) const;
+  template <typename Value>
+  void Reduce(Value* values, std::size_t count, int operation) const;
   std::vector<Words> GatherWords(const Words& words) const;
   std::vector<Words> ExchangeWords(const std::vector<Words>& words) const;
 

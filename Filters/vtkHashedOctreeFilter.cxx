@@ -37,20 +37,6 @@ constexpr int NumberOfOutputs = 3;
 constexpr double MeasuringShare = 0.6;
 /** Where listing them ends in the progress of nodes that become cells. */
 constexpr double ListShareOfNodes = 0.1;
-
-/** What searches in the tree of all processes cost. */
-template <int Dim>
-MeasuredCost MeasureCost(const PointsOctree<Dim>& octree, const Execution& execution)
-{
-  const ProcessGroup& processes = octree.Processes;
-  const int last = MeasuredCost::GetLastStartDepth(octree.GetDeepestDepth());
-  ExaminedNodes examined;
-  processes.Together(
-    [&] { examined = MeasureExaminedNodes(octree.Tree, octree.Part, last, execution); });
-  processes.Sum(examined.Leaves);
-  processes.Sum(examined.Points);
-  return { examined, octree.Counts };
-}
 }
 
 /** What one run of RequestData makes of each tree. */
@@ -66,25 +52,12 @@ public:
   template <int Dim>
   OctreePass::Outputs operator()(const PointsOctree<Dim>& octree, const Execution& execution) const
   {
-    const int startDepth = GetStartDepth(octree, GetStartDepthOptions<Dim>(this->Self));
+    const TreePart<Dim> part = octree.GetPart();
+    const int startDepth = GetStartDepth(part, GetStartDepthOptions<Dim>(this->Self));
     const MeasuredCost measured =
-      MeasureCost(octree, execution.Part(OctreePass::BuildShare, MeasuringShare));
-    OctreePass::Outputs outputs;
-    octree.Processes.Together(
-      [&]
-      {
-        outputs =
-          this->MakeOutputs(octree, startDepth, measured, execution.Part(MeasuringShare, 1.0));
-      });
-    return outputs;
-  }
-
-private:
-  template <int Dim>
-  OctreePass::Outputs MakeOutputs(const PointsOctree<Dim>& octree, int startDepth,
-    const MeasuredCost& measured, const Execution& execution) const
-  {
-    const vtkSmartPointer<vtkDataObject> nodes = this->MakeNodes(octree, startDepth, execution);
+      MeasureCost(part, execution.Part(OctreePass::BuildShare, MeasuringShare));
+    const vtkSmartPointer<vtkDataObject> nodes =
+      this->MakeNodes(octree, startDepth, execution.Part(MeasuringShare, 1.0));
     this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
     vtkNew<vtkTable> histogram;
     vtkNew<vtkTable> costs;
@@ -112,7 +85,7 @@ private:
     }
     auto listed =
       ListNodes(octree.Tree, NodeListOptions{ showsEmptyLeaves, this->Self->IncludeInternalNodes },
-        execution.Part(0.0, ListShareOfNodes), octree.Part);
+        execution.Part(0.0, ListShareOfNodes), octree.Range);
     octree.CompletePoints(listed);
     const OctreeCells<Dim> cells(octree.Tree, startDepth, listed, octree.Frame);
     const Execution cellsExecution = execution.Part(ListShareOfNodes, 1.0);
@@ -133,7 +106,7 @@ private:
   {
     StartDepthOptions options = GetStartDepthOptions<Dim>(this->Self);
     options.Frequency = model;
-    return GetStartDepth(octree, options);
+    return GetStartDepth(octree.GetPart(), options);
   }
 
   template <int Dim>
@@ -205,8 +178,13 @@ int vtkHashedOctreeFilter::RequestData(
         const double* b = this->CustomBounds;
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
-      OctreePass(this, OctreePass::FindProcesses(this, request, outputVector), root)
-        .Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector, Run(this));
+      const ProcessGroup processes = OctreePass::FindProcesses(this, request, outputVector);
+      processes.Together(
+        [&]
+        {
+          OctreePass(this, processes, root)
+            .Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector, Run(this));
+        });
     });
 }
 

@@ -153,7 +153,7 @@ public:
   template <int Dim>
   OctreePass::Outputs Process(const PointsOctree<Dim>& octree, const Execution& execution)
   {
-    const int startDepth = GetStartDepth(octree, GetStartDepthOptions<Dim>(this->Self));
+    const int startDepth = GetStartDepth(octree.GetPart(), GetStartDepthOptions<Dim>(this->Self));
     ++this->Trees;
     const std::uint64_t found = this->FindQuery(octree, startDepth).GetValue();
     const MortonKey<Dim> query(octree.Processes.Sum(found)); // One process at most has it.
@@ -162,15 +162,10 @@ public:
       return {};
     }
     ++this->TreesWithQuery;
+    RangeCount<Dim> examined(octree.Range);
+    const Neighbors<Dim> neighbors = this->FindNeighbors(octree, query, startDepth, examined);
     vtkNew<vtkUnstructuredGrid> cells;
-    CaseCounts counts;
-    RangeCount<Dim> examined(octree.Part);
-    octree.Processes.Together(
-      [&]
-      {
-        const Neighbors<Dim> neighbors = this->FindNeighbors(octree, query, startDepth, examined);
-        counts = MakeCells(octree, query, startDepth, neighbors, cells, execution);
-      });
+    CaseCounts counts = MakeCells(octree, query, startDepth, neighbors, cells, execution);
     octree.Processes.Sum(counts);
 
     vtkFieldData* fieldData = cells->GetFieldData();
@@ -232,7 +227,7 @@ private:
       key = FindLeaf(tree, where, startDepth).Key;
     }
     const std::optional<Node<Dim>> node = tree.FindNode(key, this->Reading);
-    return node && !node->Internal && octree.Part.Has(where) ? key : MortonKey<Dim>(0);
+    return node && !node->Internal && octree.Range.Has(where) ? key : MortonKey<Dim>(0);
   }
 
   /** Those in this process's part of the tree. */
@@ -252,7 +247,7 @@ private:
       FindAdjacentLeaves(tree, query, startDepth, found, examined, this->Reading);
     }
     const auto isElsewhere = [&octree](const hashedoctree::Neighbor<Dim>& neighbor)
-    { return !octree.Part.Has(neighbor.Key); };
+    { return !octree.Range.Has(neighbor.Key); };
     found.erase(std::remove_if(found.begin(), found.end(), isElsewhere), found.end());
     return found;
   }
@@ -263,7 +258,7 @@ private:
     const Neighbors<Dim>& neighbors, vtkUnstructuredGrid* cells, const Execution& execution)
   {
     std::optional<Node<Dim>> listed;
-    if (octree.Part.Has(query))
+    if (octree.Range.Has(query))
     {
       listed = octree.Tree.FindNode(query);
     }
@@ -301,13 +296,18 @@ int vtkHashedOctreeNeighborsFilter::RequestData(
   return RunReportingProblems(this, outputVector,
     [&]
     {
-      Run run(this);
-      run.RequireQuery();
-      OctreePass pass(this, OctreePass::FindProcesses(this, request, outputVector));
-      pass.Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
-        [&run](const auto& octree, const Execution& execution)
-        { return run.Process(octree, execution); });
-      run.CheckQueryLeaves(OctreePass::IsPiece(request, outputVector), pass.GetProcesses());
+      const ProcessGroup processes = OctreePass::FindProcesses(this, request, outputVector);
+      processes.Together(
+        [&]
+        {
+          Run run(this);
+          run.RequireQuery();
+          OctreePass pass(this, processes);
+          pass.Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
+            [&run](const auto& octree, const Execution& execution)
+            { return run.Process(octree, execution); });
+          run.CheckQueryLeaves(OctreePass::IsPiece(request, outputVector), pass.GetProcesses());
+        });
     });
 }
 

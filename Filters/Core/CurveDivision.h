@@ -37,6 +37,11 @@ public:
   static Keys Sample(const Keys& keys, std::uint64_t allPoints, std::size_t numberOfParts);
   static constexpr std::uint64_t KeysPerPart = 1024;
 
+  /** One part. */
+  CurveDivision()
+    : CurveDivision({}, 1, 0)
+  {
+  }
   /** Parts, at least one, with about as many points each, as far as a sample of the keys in any
    * order tells; `maxDepth` is that of the tree. O(s log s) for s keys. */
   CurveDivision(Keys sample, std::size_t numberOfParts, int maxDepth);

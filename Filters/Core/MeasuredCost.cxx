@@ -120,28 +120,32 @@ void AddPart(const Part<Dim>& part, Total<Dim>& total)
     total.Points[depth].fetch_add(part.Points[depth], std::memory_order_relaxed);
   }
 }
-}
 
-MeasuredCost::MeasuredCost(const ExaminedNodes& examined, const DepthCounts& counts)
+/** What one of `count` searches examines in the mean, given what those in this part do. */
+template <int Dim, typename Numbers>
+std::vector<double> GetMeans(const TreePart<Dim>& part, const Numbers& examined,
+  std::size_t numberOfDepths, std::uint64_t count)
 {
-  const auto leaves = static_cast<double>(GetTotal(counts.Leaves));
-  const auto points = static_cast<double>(GetTotal(counts.Points));
-  for (std::size_t depth = 0; depth < examined.Leaves.size(); ++depth)
+  std::vector<std::uint64_t> all(examined.begin(), examined.begin() + numberOfDepths);
+  part.AddUp(all);
+  std::vector<double> means;
+  for (const std::uint64_t nodes : all)
   {
-    this->Leaves.push_back(static_cast<double>(examined.Leaves[depth]) / leaves);
-    this->Points.push_back(
-      points > 0.0 ? static_cast<double>(examined.Points[depth]) / points : 0.0);
+    means.push_back(count > 0 ? static_cast<double>(nodes) / static_cast<double>(count) : 0.0);
   }
+  return means;
+}
 }
 
 template <int Dim>
-ExaminedNodes MeasureExaminedNodes(const Octree<Dim>& tree, const CurveRange<Dim>& range,
-  int lastStartDepth, const Execution& execution)
+MeasuredCost MeasureCost(const TreePart<Dim>& whole, const Execution& execution)
 {
   constexpr std::size_t chunkSize = 32; // Blocks, of up to 2^Dim leaves each.
+  const Octree<Dim>& tree = whole.GetTree();
+  const int lastStartDepth = std::max(whole.GetDeepestDepth(), 1);
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   Total<Dim> total;
-  if (!tree.IsRootInternal() && range.Has(MortonKey<Dim>::Root()))
+  if (!tree.IsRootInternal() && whole.Has(MortonKey<Dim>::Root()))
   {
     Part<Dim> root;
     LeafSearches<Dim> searches(tree, lastStartDepth);
@@ -159,7 +163,7 @@ ExaminedNodes MeasureExaminedNodes(const Octree<Dim>& tree, const CurveRange<Dim
         for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
         {
           const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
-          if (!child.Internal && range.Has(child.NodeKey))
+          if (!child.Internal && whole.Has(child.NodeKey))
           {
             AddLeaf(searches, child, part);
           }
@@ -168,17 +172,14 @@ ExaminedNodes MeasureExaminedNodes(const Octree<Dim>& tree, const CurveRange<Dim
       AddPart(part, total);
     });
 
-  const auto end = static_cast<std::size_t>(lastStartDepth) + 1;
-  return { { total.Leaves.begin(), total.Leaves.begin() + end },
-    { total.Points.begin(), total.Points.begin() + end } };
+  const auto numberOfDepths = static_cast<std::size_t>(lastStartDepth) + 1;
+  const DepthCounts& counts = whole.GetDepthCounts();
+  return { GetMeans(whole, total.Leaves, numberOfDepths, GetTotal(counts.Leaves)),
+    GetMeans(whole, total.Points, numberOfDepths, GetTotal(counts.Points)) };
 }
 
-#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
-  template ExaminedNodes MeasureExaminedNodes(                                                     \
-    const Octree<Dim>&, const CurveRange<Dim>&, int, const Execution&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
-#undef HASHEDOCTREE_INSTANTIATE
+template MeasuredCost MeasureCost(const TreePart<1>&, const Execution&);
+template MeasuredCost MeasureCost(const TreePart<2>&, const Execution&);
+template MeasuredCost MeasureCost(const TreePart<3>&, const Execution&);
+template MeasuredCost MeasureCost(const TreePart<4>&, const Execution&);
 }

@@ -6,7 +6,7 @@
 namespace hashedoctree
 {
 template <int Dim>
-SearchComparison<Dim>::SearchComparison(const Octree<Dim>& tree, const StartDepthOptions& options)
+SearchComparison<Dim>::SearchComparison(const TreePart<Dim>& tree, const StartDepthOptions& options)
   : Tree(tree)
   , Frequency(options.Frequency)
   , Decisions(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim))
@@ -50,8 +50,9 @@ auto SearchComparison<Dim>::CountExaminedNodes(MortonKey<Dim> key) const -> Cost
   for (std::size_t search = 0; search < NumberOfSearches; ++search)
   {
     NodeCount count;
-    search == DecisionTree ? FindLeaf(this->Tree, key, this->Decisions, count)
-                           : FindLeaf(this->Tree, key, this->Starts[search].Get(key), count);
+    search == DecisionTree
+      ? FindLeaf(this->Tree.GetTree(), key, this->Decisions, count)
+      : FindLeaf(this->Tree.GetTree(), key, this->Starts[search].Get(key), count);
     costs[search] = count.Nodes;
   }
   return costs;

@@ -8,19 +8,20 @@ namespace hashedoctree
 {
 namespace
 {
-/** Calls function(leaf, weight) for each leaf of a tree whose root is internal, with the weight
- * that the leaf has in a frequency model. */
+/** Calls function(leaf, weight) for each leaf in the part of a tree whose root is internal, with
+ * the weight that the leaf has in a frequency model. */
 template <int Dim, typename Function>
-void ForEachLeaf(const Octree<Dim>& tree, FrequencyModel frequency, const Function& function)
+void ForEachLeaf(const TreePart<Dim>& part, FrequencyModel frequency, const Function& function)
 {
+  const Octree<Dim>& tree = part.GetTree();
   for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
   {
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
       const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
-      if (!child.Internal)
+      if (!child.Internal && part.Has(child.NodeKey))
       {
-        const int height = tree.GetDeepestDepth() - child.NodeKey.GetDepth();
+        const int height = part.GetDeepestDepth() - child.NodeKey.GetDepth();
         function(child,
           frequency == FrequencyModel::Leaves   ? 1
             : frequency == FrequencyModel::Grid ? std::uint64_t(1) << (Dim * height)
@@ -32,7 +33,7 @@ void ForEachLeaf(const Octree<Dim>& tree, FrequencyModel frequency, const Functi
 }
 
 template <int Dim>
-StartDepths<Dim>::StartDepths(const Octree<Dim>& tree, const StartDepthOptions& options)
+StartDepths<Dim>::StartDepths(const TreePart<Dim>& tree, const StartDepthOptions& options)
   : Everywhere(GetStartDepth(tree, options))
 {
   if (options.Model == StartDepthModel::Local)
@@ -42,7 +43,7 @@ StartDepths<Dim>::StartDepths(const Octree<Dim>& tree, const StartDepthOptions& 
 }
 
 template <int Dim>
-void StartDepths<Dim>::ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequency)
+void StartDepths<Dim>::ChooseLocal(const TreePart<Dim>& tree, FrequencyModel frequency)
 {
   constexpr std::size_t numberOfCells = std::size_t(1) << (Dim * LocalDepth);
   const auto numberOfDepths = static_cast<std::size_t>(tree.GetDeepestDepth()) + 1;
@@ -59,6 +60,8 @@ void StartDepths<Dim>::ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequ
         ++leaves[cell * numberOfDepths + depth];
       }
     });
+  tree.AddUp(weights);
+  tree.AddUp(leaves);
   this->Local.resize(numberOfCells);
   DepthHistogram histogram;
   const auto read = [&](const std::vector<std::uint64_t>& ofCells, std::size_t cell)
@@ -78,9 +81,9 @@ void StartDepths<Dim>::ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequ
 }
 
 template <int Dim>
-double StartDepths<Dim>::GetMeanCost(const Octree<Dim>& tree, FrequencyModel frequency) const
+double StartDepths<Dim>::GetMeanCost(const TreePart<Dim>& tree, FrequencyModel frequency) const
 {
-  if (this->Local.empty() || !tree.IsRootInternal())
+  if (this->Local.empty() || !tree.GetTree().IsRootInternal())
   {
     return hashedoctree::GetMeanCost(
       GetDepthHistogram(tree.GetDepthCounts(), frequency, Dim), this->Everywhere);
@@ -93,6 +96,7 @@ double StartDepths<Dim>::GetMeanCost(const Octree<Dim>& tree, FrequencyModel fre
       const int startDepth = this->Get(leaf.NodeKey.GetFirstAtMaxDepth());
       distances[static_cast<std::size_t>(std::abs(leaf.NodeKey.GetDepth() - startDepth))] += weight;
     });
+  tree.AddUp(distances);
   return hashedoctree::GetMeanCost(distances, 0);
 }
 

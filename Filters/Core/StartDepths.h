@@ -3,7 +3,7 @@
 #define hashedoctree_StartDepths_h
 
 #include "DepthStatistics.h"
-#include "Octree.h"
+#include "TreePart.h"
 
 #include <cstdint>
 #include <vector>
@@ -12,9 +12,14 @@ namespace hashedoctree
 {
 /** The one start depth that a model has for a whole tree. O(depths). */
 template <int Dim>
+int GetStartDepth(const TreePart<Dim>& part, const StartDepthOptions& options)
+{
+  return GetStartDepth(GetDepthHistogram(part.GetDepthCounts(), options.Frequency, Dim), options);
+}
+template <int Dim>
 int GetStartDepth(const Octree<Dim>& tree, const StartDepthOptions& options)
 {
-  return GetStartDepth(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim), options);
+  return GetStartDepth(TreePart<Dim>(tree), options);
 }
 
 /**
@@ -36,8 +41,8 @@ public:
 
   /** All searches start at the root. */
   StartDepths() = default;
-  /** O(1), of the Local model O(nodes). */
-  StartDepths(const Octree<Dim>& tree, const StartDepthOptions& options);
+  /** The same for all builders of a tree. O(1), of the Local model O(nodes). */
+  StartDepths(const TreePart<Dim>& tree, const StartDepthOptions& options);
 
   /** The depth at which the search for a position starts, given its key at MaxDepth. */
   int Get(MortonKey<Dim> key) const
@@ -53,7 +58,7 @@ public:
   /** Mean number of nodes that a search in the tree examines, as GetMeanCost() of
    * DepthStatistics.h has it, when leaves are searched for as often as `frequency` says. 0 without
    * any weight. O(depths), of the Local model O(nodes). */
-  double GetMeanCost(const Octree<Dim>& tree, FrequencyModel frequency) const;
+  double GetMeanCost(const TreePart<Dim>& tree, FrequencyModel frequency) const;
 
 private:
   static std::size_t GetCoarseCell(MortonKey<Dim> key)
@@ -61,7 +66,7 @@ private:
     return static_cast<std::size_t>(key.AtDepth(LocalDepth).GetValue()) ^
       (std::size_t(1) << (Dim * LocalDepth));
   }
-  void ChooseLocal(const Octree<Dim>& tree, FrequencyModel frequency);
+  void ChooseLocal(const TreePart<Dim>& tree, FrequencyModel frequency);
 
   int Everywhere = 0;
   std::vector<std::uint8_t> Local;

@@ -28,7 +28,7 @@ TYPED_TEST(TestMeasuredCost, EqualsTheModelToTheLastDigit)
     const DepthCounts& counts = made.Tree.GetDepthCounts();
     for (const unsigned threads : { 1U, 4U })
     {
-      const MeasuredCost measured = MeasureCost(made.Tree, Execution(OnThreads(threads)));
+      const MeasuredCost measured = MeasureCost<dim>(made.Tree, Execution(OnThreads(threads)));
       const std::size_t startDepths = std::max<std::size_t>(counts.Leaves.size(), 2);
       ASSERT_EQ(measured.Leaves.size(), startDepths);
       ASSERT_EQ(measured.Points.size(), startDepths);
@@ -46,7 +46,7 @@ TYPED_TEST(TestMeasuredCost, EqualsSearchesMadeOneByOne)
   constexpr int dim = TypeParam::value;
   const SampleTree<dim, double> made(
     PointSample<dim, double>{ "clustered", MakeClusteredPoints<dim, double>(2000, 103) });
-  const MeasuredCost measured = MeasureCost(made.Tree, Execution(OnThreads(1)));
+  const MeasuredCost measured = MeasureCost<dim>(made.Tree, Execution(OnThreads(1)));
   for (int startDepth = 0; startDepth <= made.Tree.GetDeepestDepth(); ++startDepth)
   {
     std::uint64_t leaves = 0;
@@ -76,5 +76,5 @@ TEST(TestMeasuredCostFacts, CanBeInterrupted)
   const SampleTree<3, double> made(
     PointSample<3, double>{ "uniform", MakeUniformPoints<3, double>(1000, 102) });
   const Execution execution(OnThreads(1), [](double) { return false; });
-  EXPECT_THROW(MeasureCost(made.Tree, execution), Interrupted);
+  EXPECT_THROW(MeasureCost<3>(made.Tree, execution), Interrupted);
 }

@@ -4,12 +4,55 @@
 
 #include "CurveDivision.h"
 #include "SampleTree.h"
+#include "TreePart.h"
 
+#include <condition_variable>
 #include <memory>
+#include <mutex>
 #include <random>
+#include <thread>
 
 template <int Dim>
 using CurveKeys = std::vector<hashedoctree::MortonKey<Dim>>;
+
+/** Adds up values of several threads, each of which waits for the others. */
+class AddingUp
+{
+public:
+  explicit AddingUp(std::size_t numberOfThreads)
+    : NumberOfThreads(numberOfThreads)
+  {
+  }
+
+  void operator()(std::vector<std::uint64_t>& values)
+  {
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    this->Sums.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      this->Sums[i] += values[i];
+    }
+    const std::size_t round = this->Rounds;
+    if (++this->Arrived == this->NumberOfThreads)
+    {
+      this->Results = std::exchange(this->Sums, {});
+      this->Arrived = 0;
+      ++this->Rounds;
+      this->NextRound.notify_all();
+    }
+    this->NextRound.wait(lock, [this, round] { return this->Rounds != round; });
+    values = this->Results; // All have to come before the next round ends.
+  }
+
+private:
+  const std::size_t NumberOfThreads;
+  std::mutex Mutex;
+  std::condition_variable NextRound;
+  std::size_t Arrived = 0;
+  std::size_t Rounds = 0;
+  std::vector<std::uint64_t> Sums;
+  std::vector<std::uint64_t> Results;
+};
 
 /** Builders with points at random, who divide the curve and each make a tree of one part. */
 template <int Dim>
@@ -50,6 +93,27 @@ struct CurveBuilders
       }
     }
     this->Build(whole);
+  }
+
+  /** Calls function(part) for the part of each builder, in threads that work together. */
+  template <typename Function>
+  void RunTogether(const hashedoctree::Octree<Dim>& whole, const Function& function) const
+  {
+    AddingUp addUp(this->Trees.size());
+    std::vector<std::thread> threads;
+    for (std::size_t part = 0; part < this->Trees.size(); ++part)
+    {
+      threads.emplace_back(
+        [&, part]
+        {
+          function(hashedoctree::TreePart<Dim>(*this->Trees[part], this->Divided->GetRange(part),
+            whole.GetDepthCounts(), std::ref(addUp)));
+        });
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
   }
 
 private:
