@@ -2,28 +2,39 @@
 #ifndef QueryArrays_h
 #define QueryArrays_h
 
-#include "LeafNumbers.h"
-#include "PointsAdaptor.h"
-#include "PointsOctree.h"
-#include "SearchComparison.h"
+#include "QuerySearch.h"
 
 #include "vtkDataSet.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkTypeUInt64Array.h"
+
+#include <utility>
+#include <vector>
 
 namespace hashedoctree
 {
-/**
- * Searches in the tree for the points of a data set, and adds to it what is found and what each
- * search examines: the point arrays LeafId, LeafDepth, LeafKey, HitCost (active), RootCost,
- * MedianCost, MeanCost, LocalCost and DecisionTreeCost of vtkHashedOctreeLocateFilter. Returns the
- * nodes that each search examines for all finite points together. `numbers` are the leaves' in the
- * reading that queries are searched for in. Throws Interrupted, with a data set that must be
- * emptied. The same whatever the threads. Instantiated for 2 and 3 dimensions. Private to the
- * module.
- */
+/** What is found for the points of a data set: the point arrays LeafId, LeafDepth, LeafKey, HitCost
+ * (active), RootCost, MedianCost, MeanCost, LocalCost and DecisionTreeCost of
+ * vtkHashedOctreeLocateFilter. Private to the module. */
 template <int Dim>
-typename SearchComparison<Dim>::Costs AddQueryArrays(vtkDataSet* queries,
-  const PointsAdaptor& points, const PointsOctree<Dim>& octree, const LeafNumbers<Dim>& numbers,
-  const SearchComparison<Dim>& searches, const Execution& execution);
+class QueryArrays
+{
+public:
+  /** Adds the arrays to the data set, with no values yet. */
+  explicit QueryArrays(vtkDataSet* queries);
+
+  /** Different queries may be set at the same time. */
+  void Set(vtkIdType query, const FoundQuery<Dim>& found) const;
+
+private:
+  using Search = typename SearchComparison<Dim>::Search;
+
+  vtkIdTypeArray* Ids;
+  vtkIntArray* Depths;
+  vtkTypeUInt64Array* Keys;
+  std::vector<std::pair<Search, vtkIntArray*>> Costs;
+};
 }
 
 #endif

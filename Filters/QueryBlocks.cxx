@@ -10,32 +10,35 @@
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace hashedoctree
 {
 namespace
 {
-/** Calls function(iterator, data set) for the blocks that have points, always in the same order. */
-template <typename Function>
-void ForEachBlock(vtkCompositeDataSet* composite, const Function& function)
+/** The flat indices of the blocks that have points. */
+std::vector<std::uint64_t> ListPlaces(vtkCompositeDataSet* composite)
 {
+  std::vector<std::uint64_t> places;
   const auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
   for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
   {
     auto* block = vtkDataSet::SafeDownCast(blocks->GetCurrentDataObject());
     if (block != nullptr && block->GetNumberOfPoints() > 0)
     {
-      function(blocks.Get(), block);
+      places.push_back(blocks->GetCurrentFlatIndex());
     }
   }
+  return places;
 }
 }
 
-QueryBlocks::QueryBlocks(
-  vtkDataObject* points, vtkDataObject* queries, vtkInformationVector* outputVector)
+QueryBlocks::QueryBlocks(vtkDataObject* points, vtkDataObject* queries,
+  vtkInformationVector* outputVector, const ProcessGroup& processes)
   : Points(points)
   , Composite(vtkCompositeDataSet::SafeDownCast(queries))
   , IsNested(this->Composite != nullptr && vtkDataObjectTree::SafeDownCast(points) != nullptr)
@@ -51,13 +54,39 @@ QueryBlocks::QueryBlocks(
     throw std::invalid_argument("AMR query points cannot be searched for in blocks of points; "
                                 "merge the blocks of either input.");
   }
-  ForEachBlock(
-    this->Composite, [&](vtkCompositeDataIterator*, vtkDataSet* block) { this->AddBlock(block); });
+  for (const auto& places : processes.Gather(ListPlaces(this->Composite)))
+  {
+    this->Places.insert(this->Places.end(), places.begin(), places.end());
+  }
+  std::sort(this->Places.begin(), this->Places.end());
+  this->Places.erase(std::unique(this->Places.begin(), this->Places.end()), this->Places.end());
+  this->Blocks.resize(this->Places.size(), nullptr);
+  this->ForEachPlace([this](vtkCompositeDataIterator* place, std::size_t i)
+    { this->Blocks[i] = vtkDataSet::SafeDownCast(place->GetCurrentDataObject()); });
+  for (vtkDataSet* block : this->Blocks)
+  {
+    this->AddTargets(block);
+  }
 }
 
-void QueryBlocks::AddBlock(vtkDataSet* block)
+template <typename Function>
+void QueryBlocks::ForEachPlace(const Function& function) const
 {
-  this->Blocks.push_back(block);
+  const auto place = vtk::TakeSmartPointer(this->Composite->NewIterator());
+  place->SetSkipEmptyNodes(0); // Another process may have something there.
+  for (place->InitTraversal(); !place->IsDoneWithTraversal(); place->GoToNextItem())
+  {
+    const auto found =
+      std::lower_bound(this->Places.begin(), this->Places.end(), place->GetCurrentFlatIndex());
+    if (found != this->Places.end() && *found == place->GetCurrentFlatIndex())
+    {
+      function(place.Get(), static_cast<std::size_t>(found - this->Places.begin()));
+    }
+  }
+}
+
+void QueryBlocks::AddTargets(vtkDataSet* block)
+{
   for (std::size_t port = 0; port < this->Ports.size(); ++port)
   {
     if (this->IsNested)
@@ -66,7 +95,9 @@ void QueryBlocks::AddBlock(vtkDataSet* block)
     }
     else if (port == 0)
     {
-      this->Made.emplace_back(vtk::TakeSmartPointer(block->NewInstance()));
+      vtkNew<vtkPolyData> none;
+      vtkDataSet* like = block != nullptr ? block : none.Get();
+      this->Made.emplace_back(vtk::TakeSmartPointer(like->NewInstance()));
     }
     else
     {
@@ -81,10 +112,15 @@ OctreePass::Targets QueryBlocks::GetTargets() const
                                     : OctreePass::Targets(this->Made.begin(), this->Made.end());
 }
 
-bool QueryBlocks::IsLocated(std::size_t block) const
+bool QueryBlocks::IsFilled(std::size_t block, std::size_t port) const
 {
-  auto* located = vtkDataSet::SafeDownCast(this->Made[block * this->Ports.size()]);
-  return this->IsNested || located->GetNumberOfPoints() > 0;
+  const vtkSmartPointer<vtkDataObject>* made = &this->Made[block * this->Ports.size()];
+  if (port > 0 && made[port]->GetNumberOfElements(vtkDataObject::ROW) > 0)
+  {
+    return true; // Of queries that others may have.
+  }
+  return this->Blocks[block] != nullptr &&
+    (this->IsNested || made[0]->GetNumberOfElements(vtkDataObject::POINT) > 0);
 }
 
 void QueryBlocks::FillOutputs() const
@@ -108,15 +144,13 @@ void QueryBlocks::FillOutputs() const
     output->SetFieldData(vtkNew<vtkFieldData>()); // The structure brings what the queries have.
     PassFieldData(this->Composite, output);
     PassFieldData(this->Points, output);
-    std::size_t block = 0;
-    ForEachBlock(this->Composite,
-      [&](vtkCompositeDataIterator* place, vtkDataSet*)
+    this->ForEachPlace(
+      [&](vtkCompositeDataIterator* place, std::size_t block)
       {
-        if (this->IsLocated(block))
+        if (this->IsFilled(block, port))
         {
           output->SetDataSet(place, this->Made[block * this->Ports.size() + port]);
         }
-        ++block;
       });
   }
 }

@@ -4,11 +4,10 @@
 #include "AlgorithmOptions.h"
 #include "AlgorithmProblems.h"
 #include "FieldValue.h"
+#include "LocatedQueries.h"
 #include "OctreePass.h"
 #include "OctreeTables.h"
-#include "QueryArrays.h"
 #include "QueryBlocks.h"
-#include "QueryDepths.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
@@ -20,6 +19,7 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -105,22 +105,31 @@ public:
   void Execute(vtkDataObject* points, vtkDataObject* queries, vtkInformation* request,
     vtkInformationVector* outputVector)
   {
-    const QueryBlocks blocks(points, queries, outputVector);
-    this->IsPiece = OctreePass::IsPiece(request, outputVector);
-    std::uint64_t all = 0;
+    const ProcessGroup processes = OctreePass::FindProcesses(this->Self, request, outputVector);
+    processes.Together(
+      [&] { this->ExecuteWith(processes, points, queries, request, outputVector); });
+  }
+
+private:
+  void ExecuteWith(const ProcessGroup& processes, vtkDataObject* points, vtkDataObject* queries,
+    vtkInformation* request, vtkInformationVector* outputVector)
+  {
+    const QueryBlocks blocks(points, queries, outputVector, processes);
+    OctreePass pass(this->Self, processes);
+    this->IsPiece = OctreePass::IsPiece(request, outputVector) && !processes.AreSeveral();
+    std::size_t all = 0;
     for (vtkDataSet* block : blocks.Get())
     {
-      all += static_cast<std::uint64_t>(block->GetNumberOfPoints());
+      all += block != nullptr ? static_cast<std::size_t>(block->GetNumberOfPoints()) : 0;
     }
-    if (all == 0 && !this->IsPiece)
+    if (processes.Sum(all) == 0 && !this->IsPiece)
     {
       throw std::invalid_argument("There are no query points; give a data set with points.");
     }
     this->FiniteQueries = all;
-    OctreePass(this->Self)
-      .Execute(points, blocks.GetTargets(), this->IsPiece,
-        [&](const auto& octree, const Execution& execution)
-        { return this->LocateBlocks(octree, blocks.Get(), execution); });
+    pass.Execute(points, blocks.GetTargets(), this->IsPiece,
+      [&](const auto& octree, const Execution& execution)
+      { return this->LocateBlocks(octree, blocks.Get(), execution); });
     blocks.FillOutputs();
     if (this->FiniteQueries < all)
     {
@@ -130,7 +139,6 @@ public:
     }
   }
 
-private:
   /** The outputs for each block of queries, one after the other. */
   template <int Dim>
   OctreePass::Outputs LocateBlocks(const PointsOctree<Dim>& octree,
@@ -138,66 +146,68 @@ private:
   {
     OctreePass::Outputs outputs;
     this->FiniteQueries = 0;
-    const LeafNumbers<Dim> numbers(octree.Tree, GetReading(this->Self));
-    SearchComparison<Dim> searches(octree.Tree, GetStartDepthOptions<Dim>(this->Self));
+    QuerySearch<Dim> search(octree, GetStartDepthOptions<Dim>(this->Self), GetReading(this->Self),
+      execution.Part(OctreePass::BuildShare, OctreePass::BuildShare));
     const double share = (1.0 - OctreePass::BuildShare) / static_cast<double>(blocks.size());
     double begin = OctreePass::BuildShare;
     for (vtkDataSet* block : blocks)
     {
       const auto ofBlock =
-        this->Locate(octree, numbers, searches, block, execution.Part(begin, begin + share));
+        this->Locate(octree, search, block, execution.Part(begin, begin + share));
       outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
       begin += share;
     }
-    if (this->FiniteQueries == 0 && !this->IsPiece)
+    if (octree.Processes.Sum(this->FiniteQueries) == 0 && !this->IsPiece)
     {
       throw std::invalid_argument("No query point has finite coordinates; mend the query points.");
     }
     return outputs;
   }
 
+  /** `queries` is null where another process has the block. */
   template <int Dim>
-  OctreePass::Outputs Locate(const PointsOctree<Dim>& octree, const LeafNumbers<Dim>& numbers,
-    SearchComparison<Dim>& searches, vtkDataSet* queries, const Execution& execution)
+  OctreePass::Outputs Locate(const PointsOctree<Dim>& octree, QuerySearch<Dim>& search,
+    vtkDataSet* queries, const Execution& execution)
   {
     using Comparison = SearchComparison<Dim>;
-    const Octree<Dim>& tree = octree.Tree;
-    const PointsAdaptor points(queries, execution.Part(0.0, QueriesShare));
-    DepthHistogram depths;
-    points.Visit(
-      [&](auto span)
-      {
-        depths = MeasureQueryDepths(
-          tree, Project(span, octree.Frame), execution.Part(QueriesShare, DepthsShare));
-      });
-    this->FiniteQueries += GetTotal(depths);
-
-    searches.SetQueryDepths(depths);
-    const auto located = vtk::TakeSmartPointer(queries->NewInstance());
-    located->ShallowCopy(queries);
+    const LocatedQueries<Dim> located(queries, octree, execution.Part(0.0, QueriesShare));
+    this->FiniteQueries += located.GetNumberOfFinite();
+    const DepthHistogram depths = located.MeasureDepths(execution.Part(QueriesShare, DepthsShare));
+    Comparison& comparison = search.GetComparison();
+    comparison.SetQueryDepths(depths);
+    const auto output = queries != nullptr ? vtk::TakeSmartPointer(queries->NewInstance())
+                                           : vtkSmartPointer<vtkDataSet>(vtkNew<vtkPolyData>());
+    if (queries != nullptr)
+    {
+      output->ShallowCopy(queries);
+    }
     const typename Comparison::Costs costs =
-      AddQueryArrays(located, points, octree, numbers, searches, execution.Part(DepthsShare, 1.0));
+      located.Search(search, output, execution.Part(DepthsShare, 1.0));
 
     vtkNew<vtkTable> table;
-    this->FillTable(table, tree, searches, costs, depths);
-    OctreePass::Outputs outputs{ located, table };
-    for (vtkDataObject* output : outputs)
+    if (octree.Processes.IsFirst())
     {
-      vtkFieldData* fieldData = GetOwnFieldData(output);
+      this->FillTable(table, octree, comparison, costs, depths);
+    }
+    OctreePass::Outputs outputs{ output, table };
+    for (vtkDataObject* filled : outputs)
+    {
+      vtkFieldData* fieldData = GetOwnFieldData(filled);
       AddFieldValue<vtkIntArray>(
-        fieldData, "StartDepth", searches.GetStartDepth(Comparison::Chosen));
+        fieldData, "StartDepth", comparison.GetStartDepth(Comparison::Chosen));
       AddFieldValue<vtkDoubleArray>(
         fieldData, "MeanHitCost", GetMean(costs[Comparison::Chosen], depths));
       AddFieldValue<vtkIntArray>(
-        fieldData, "BestStartDepth", searches.GetStartDepth(Comparison::BestForQueries));
+        fieldData, "BestStartDepth", comparison.GetStartDepth(Comparison::BestForQueries));
       AddFieldValue<vtkIdTypeArray>(fieldData, "SkippedPoints", octree.SkippedPoints);
     }
     return outputs;
   }
 
   template <int Dim>
-  void FillTable(vtkTable* table, const Octree<Dim>& tree, const SearchComparison<Dim>& searches,
-    const typename SearchComparison<Dim>::Costs& costs, const DepthHistogram& depths) const
+  void FillTable(vtkTable* table, const PointsOctree<Dim>& octree,
+    const SearchComparison<Dim>& searches, const typename SearchComparison<Dim>::Costs& costs,
+    const DepthHistogram& depths) const
   {
     using Comparison = SearchComparison<Dim>;
     std::vector<SearchRow> rows;
@@ -216,8 +226,8 @@ private:
     add("Local", Comparison::Local);
     add("Decision tree", Comparison::DecisionTree);
     add("Best for these queries", Comparison::BestForQueries);
-    const DepthHistogram predicted = GetDepthHistogram(
-      tree.GetDepthCounts(), GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
+    const DepthHistogram predicted =
+      GetDepthHistogram(octree.Counts, GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     rows.push_back({ "Entropy bound", -1, GetEntropyBound(predicted), GetEntropyBound(depths) });
     if (this->IsPiece && GetTotal(depths) == 0)
     {
@@ -228,7 +238,7 @@ private:
 
   vtkHashedOctreeLocateFilter* Self;
   bool IsPiece = false;
-  std::uint64_t FiniteQueries = 0; ///< As the last tree counted them.
+  std::size_t FiniteQueries = 0; ///< Of this process, as the last tree counted them.
 };
 
 vtkHashedOctreeLocateFilter::vtkHashedOctreeLocateFilter()

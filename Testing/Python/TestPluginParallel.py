@@ -13,7 +13,8 @@ from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_VOXEL, vtkMultiBlockDa
                                            vtkPartitionedDataSet, vtkPolyData)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from hashedoctree import vtkHashedOctreeFilter
+from hashedoctree import (vtkHashedOctreeFilter, vtkHashedOctreeLocateFilter,
+                          vtkHashedOctreeNeighborsFilter)
 
 PROCESSES = 4
 # Of these no two runs agree.
@@ -43,10 +44,13 @@ def make_points(coordinates):
     return data
 
 
-def run(data, pieces, errors=None, **properties):
-    """The filter's outputs for a data set in this process, as one of so many pieces."""
-    octree = vtkHashedOctreeFilter()
+def run(data, pieces, errors=None, filter_=vtkHashedOctreeFilter, queries=None, **properties):
+    """The filter's outputs for a data set in this process, as one of so many pieces. Notes the
+    texts of errors where they are expected."""
+    octree = filter_()
     octree.SetInputData(data)
+    if queries is not None:
+        octree.SetQueryPointsData(queries)
     for name, value in properties.items():
         getattr(octree, "Set" + name)(value)
     assert octree.GetController() == controller
@@ -58,16 +62,22 @@ def run(data, pieces, errors=None, **properties):
     octree.AddObserver("ErrorEvent", note)
     octree.UpdatePiece(rank if pieces > 1 else 0, pieces, 0)
     assert errors is not None or not texts, texts
-    return [octree.GetOutputDataObject(port) for port in range(3)]
+    return [octree.GetOutputDataObject(port) for port in range(octree.GetNumberOfOutputPorts())]
 
 
-def rows(output):
-    """What the cells are, a row each, with their lower and upper corners."""
+def rows(output, names=tuple(CELL_ARRAYS)):
+    """What the cells are, a row each, with their lower and upper corners; key first."""
     cells = arrays(output.GetCellData())
     bounds = numpy.array([output.GetCell(i).GetBounds() for i in range(output.GetNumberOfCells())])
-    columns = [cells[name].astype(numpy.uint64) for name in CELL_ARRAYS]
+    columns = [cells[name].astype(numpy.uint64) for name in ["MortonKey", *names]]
     return numpy.column_stack([*columns, bounds.reshape(-1, 6).view(numpy.uint64)]) \
-        if len(bounds) else numpy.zeros((0, len(CELL_ARRAYS) + 6), numpy.uint64)
+        if len(bounds) else numpy.zeros((0, 1 + len(names) + 6), numpy.uint64)
+
+
+def sort_by_key(rows_):
+    """Rows of which each has another key."""
+    assert len(numpy.unique(rows_[:, 0])) == len(rows_)
+    return rows_[numpy.argsort(rows_[:, 0])]
 
 
 def gather(name, values):
@@ -95,12 +105,7 @@ def expect_same_tree(pieces, whole):
     if rank > 0:
         assert all(table.GetNumberOfRows() == 0 for table in pieces[1:])
         return
-    expected = rows(whole[0])
-    here = numpy.concatenate(parts)
-    by_key = CELL_ARRAYS.index("MortonKey")
-    assert len(set(here[:, by_key])) == len(here) == len(expected), (len(here), len(expected))
-    order = numpy.argsort(here[:, by_key])
-    assert numpy.array_equal(here[order], expected[numpy.argsort(expected[:, by_key])])
+    assert numpy.array_equal(sort_by_key(numpy.concatenate(parts)), sort_by_key(rows(whole[0])))
     for names, table, expected_table in zip([HISTOGRAM, COSTS], pieces[1:], whole[1:]):
         for name in names:
             column = vtk_to_numpy(table.GetColumnByName(name))
@@ -141,6 +146,64 @@ for points, properties in [
         if points is cube and not properties:
             expect_shares(piece, len(cube))
 
+# The neighbours of leaves, which lie in any part, are those in the one tree.
+NEIGHBOR_ARRAYS = [*CELL_ARRAYS, "Role", "Case"]
+for points, properties in [
+        (clusters, {"Center": clusters[3]}), (cube, {"Center": (0.5, 0.5, 0.5)}),
+        (cube, {"Center": (0.9, 0.2, 0.6), "IncludeEmptyLeaves": True, "SearchMode": 1,
+                "Radius": 0.3}),
+        (clusters, {"Center": clusters[700], "SearchMode": 1, "Radius": 0.5}),
+        (cube, {"UseLeafKey": True, "LeafKey": 0o10000 + 0o4321}), (flat, {"Center": flat[7]}),
+        (cube, {"UseLeafKey": True, "LeafKey": 1, "MaxDepth": 0})]:
+    properties["filter_"] = vtkHashedOctreeNeighborsFilter
+    whole, = run(make_points(points), 1, **properties)
+    for order in [numpy.argsort(points[:, 0]), numpy.arange(len(points))]:
+        piece, = run(make_points(numpy.array_split(points[order], PROCESSES)[rank]), PROCESSES,
+                     **properties)
+        parts = gather("rows", rows(piece, NEIGHBOR_ARRAYS))
+        expect_same_field_data(piece, whole)
+        if rank == 0:
+            assert numpy.array_equal(sort_by_key(numpy.concatenate(parts)),
+                                     sort_by_key(rows(whole, NEIGHBOR_ARRAYS)))
+errors = []
+run(make_points(cube[rank::PROCESSES]), PROCESSES, errors, vtkHashedOctreeNeighborsFilter,
+    UseLeafKey=True, LeafKey=2)
+assert len(errors) == 1 and "names no leaf" in errors[0], errors
+
+
+def expect_same_search(pieces, whole, mine):
+    """What queries find, of which this process has `mine`, is what they find in one tree; and so
+    are the costs."""
+    here, there = arrays(pieces[0].GetPointData()), arrays(whole[0].GetPointData())
+    assert here.keys() == there.keys()
+    for name in here:
+        assert numpy.array_equal(here[name], there[name][mine]), name
+    expect_same_field_data(pieces[0], whole[0])
+    if rank == 0:
+        expect_same_field_data(pieces[1], whole[1])
+        for i in range(whole[1].GetNumberOfColumns()):
+            column, expected = pieces[1].GetColumn(i), whole[1].GetColumn(i)
+            assert [column.GetVariantValue(j).ToString() for j in range(column.GetNumberOfValues())] == \
+                [expected.GetVariantValue(j).ToString() for j in range(expected.GetNumberOfValues())]
+    else:
+        assert pieces[1].GetNumberOfRows() == 0
+
+
+# Queries are searched for where the part of the tree is that they are in.
+queries = numpy.concatenate([clusters[::5], random.random((600, 3)) * 1.2 - 0.1])
+queries[17] = numpy.inf
+locating = {"filter_": vtkHashedOctreeLocateFilter}
+for points, properties in [
+        (clusters, {}), (clusters, {"IncludeEmptyLeaves": True, "MaxPointsPerLeaf": 4}),
+        (cube, {"StartDepthModel": 3, "FixedStartDepth": 9, "FrequencyModel": 1}),
+        (flat, {"FrequencyModel": 2}), (cube[:2], {}), (cube, {"MaxDepth": 2})]:
+    whole = run(make_points(points), 1, queries=make_points(queries), **locating, **properties)
+    for mine in [numpy.array_split(numpy.arange(len(queries)), PROCESSES)[rank],
+                 numpy.arange(len(queries)) if rank == 1 else numpy.arange(0)]:
+        piece = run(make_points(points[rank::PROCESSES]), PROCESSES,
+                    queries=make_points(queries[mine]), **locating, **properties)
+        expect_same_search(piece, whole, mine)
+
 # Nothing in some processes, and another type in each.
 types = [numpy.float32, numpy.float64, numpy.float64, numpy.float32]
 halves = cube.astype(numpy.float32)
@@ -172,6 +235,22 @@ for kind in [vtkMultiBlockDataSet, vtkPartitionedDataSet]:
     for i in range(2):
         expect_same_tree([block_of(output, i) for output in piece],
                          [block_of(output, i) for output in whole])
+
+    mine = [numpy.arange(rank, len(queries), 2) if rank < 2 else None,
+            numpy.arange(0, 50) if rank == 3 else None]
+    of_queries = make_blocks(kind, *[None if i is None else make_points(queries[i]) for i in mine])
+    all_queries = make_blocks(kind, make_points(queries), make_points(queries[:50]))
+    piece = run(make_points(cube[rank::PROCESSES]), PROCESSES, queries=of_queries, **locating)
+    whole = run(make_points(cube), 1, queries=all_queries, **locating)
+    for i in range(2):
+        expected = [whole[0].GetBlock(i) if kind is vtkMultiBlockDataSet else
+                    whole[0].GetPartition(i), whole[1].GetBlock(i)]
+        located = block_of(piece[0], i)
+        assert (located is None) == (mine[i] is None)
+        if located is not None:
+            expect_same_search([located, piece[1].GetBlock(i)], expected, mine[i])
+        elif rank == 0:
+            expect_same_field_data(piece[1].GetBlock(i), expected[1])
 
 # Other blocks in each process are other data sets: each has its own trees.
 mine = make_blocks(vtkPartitionedDataSet, *[make_points(cube[i::PROCESSES])

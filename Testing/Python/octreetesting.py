@@ -8,6 +8,7 @@ from paraview import servermanager, simple
 from paraview.modules.vtkRemotingCore import vtkRemotingCoreConfiguration
 from vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonExecutionModel import vtkDataObjectAlgorithm
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -66,8 +67,20 @@ def arrays(attributes):
 
 
 def fetch(octree, port):
-    """Output of a port, brought to the client."""
-    return servermanager.Fetch(octree, idx=port)
+    """Output of a port, brought to the client from all processes; a table from the first, which has
+    all rows."""
+    processes = servermanager.ActiveConnection.GetNumberOfDataPartitions()
+    pieces = [servermanager.Fetch(octree, rank, idx=port) for rank in range(processes)]
+    if processes == 1 or not pieces[0].IsA("vtkDataSet"):
+        return pieces[0]
+    # Without a rank ParaView 5.11 brings an unstructured grid from the first process only.
+    append = vtkAppendPolyData() if pieces[0].IsA("vtkPolyData") else vtkAppendFilter()
+    for piece in pieces:
+        append.AddInputData(piece)
+    append.Update()
+    output = append.GetOutput()
+    output.SetFieldData(pieces[0].GetFieldData())
+    return output
 
 
 def elements(property_):
@@ -88,7 +101,7 @@ def check_properties(proxy, class_, enumerations=None, inputs=("Input",)):
     enumerations = {**ENUMERATIONS, **(enumerations or {})}
     own = set(dir(class_)) - set(dir(vtkDataObjectAlgorithm))
     names = {name[3:] for name in own
-             if name.startswith("Set") and "Get" + name[3:] in own and "To" not in name[3:]}
+             if name.startswith("Set") and "Get" + name[3:] in own and "To" not in name[3:] and name != "SetController"}
     assert set(proxy.ListProperties()) == names | set(inputs), proxy.ListProperties()
     # Not through simple, where domains bring defaults of their own.
     fresh = servermanager.ProxyManager().NewProxy("filters", proxy.SMProxy.GetXMLName())

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef LocatedQueries_h
+#define LocatedQueries_h
+
+#include "PointsAdaptor.h"
+#include "QuerySearch.h"
+
+#include "vtkDataSet.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace hashedoctree
+{
+/**
+ * One block of queries on the way through a tree. Each is searched for in the part of the tree that
+ * it is in: of several processes, all of which have to call the same members, that with the part
+ * gets the query's key from that with the query, and sends back what is found. Instantiated for 2
+ * and 3 dimensions. Private to the module.
+ */
+template <int Dim>
+class LocatedQueries
+{
+public:
+  using Costs = typename SearchComparison<Dim>::Costs;
+
+  /** Takes the points of a data set, null where this process has none of the block. O(n). The
+   * arguments must outlive this. Throws Interrupted. */
+  LocatedQueries(vtkDataSet* queries, const PointsOctree<Dim>& octree, const Execution& execution);
+
+  /** Those of this process that have finite coordinates. */
+  std::size_t GetNumberOfFinite() const { return this->Finite; }
+
+  /** How many queries of all processes lie in leaves of each depth, from 0 to the tree's deepest.
+   * As MeasureQueryDepths(). */
+  DepthHistogram MeasureDepths(const Execution& execution) const;
+
+  /** Searches for all queries, and adds what is found (QueryArrays) to a data set that has the
+   * points of the block. Returns the nodes that each search examines for the queries of all
+   * processes together. Throws Interrupted, with a data set that must be emptied. The same whatever
+   * the threads. */
+  Costs Search(
+    const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const;
+
+private:
+  using Keys = std::vector<MortonKey<Dim>>;
+
+  template <typename OnFound>
+  static Costs SearchAll(const Keys& keys, const QuerySearch<Dim>& search,
+    const Execution& execution, const OnFound& onFound);
+  Costs SearchWithOthers(
+    const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const;
+
+  const PointsOctree<Dim>& Octree;
+  std::size_t Finite = 0;
+  Keys Own; ///< The key of each query here, 0 where it is not finite.
+  /** Those to search for here, by the process that has the queries; of one alone its own. */
+  std::vector<Keys> Searched;
+};
+}
+
+#endif
