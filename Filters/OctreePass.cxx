@@ -16,7 +16,6 @@
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"

@@ -15,7 +15,6 @@
 #include <optional>
 #include <vector>
 
-class vtkDataObjectTreeIterator;
 class vtkHashedOctreeAlgorithm;
 
 namespace hashedoctree

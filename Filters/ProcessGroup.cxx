@@ -2,7 +2,6 @@
 #include "ProcessGroup.h"
 
 #include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
 
 #include <numeric>
 #include <stdexcept>
@@ -131,11 +130,9 @@ std::vector<ProcessGroup::Words> ProcessGroup::ExchangeWords(const std::vector<W
   {
     return words;
   }
-  std::vector<vtkIdType> ownLengths;
-  for (const Words& ofProcess : words)
-  {
-    ownLengths.push_back(static_cast<vtkIdType>(ofProcess.size()));
-  }
+  std::vector<vtkIdType> ownLengths(words.size());
+  std::transform(words.begin(), words.end(), ownLengths.begin(),
+    [](const Words& ofProcess) { return static_cast<vtkIdType>(ofProcess.size()); });
   const auto number = static_cast<vtkIdType>(words.size());
   std::vector<vtkIdType> allLengths(words.size() * words.size()); // By giver, then by taker.
   this->Agree(false);

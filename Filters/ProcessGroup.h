@@ -4,13 +4,14 @@
 
 #include "Execution.h"
 
+#include "vtkMultiProcessController.h"
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <vector>
-
-class vtkMultiProcessController;
 
 namespace hashedoctree
 {
@@ -77,11 +78,8 @@ public:
   template <typename T>
   std::vector<std::vector<T>> Exchange(const std::vector<std::vector<T>>& values) const
   {
-    std::vector<Words> words;
-    for (const std::vector<T>& ofProcess : values)
-    {
-      words.push_back(ToWords(ofProcess));
-    }
+    std::vector<Words> words(values.size());
+    std::transform(values.begin(), values.end(), words.begin(), ToWords<T>);
     return FromWords<T>(this->ExchangeWords(words));
   }
 

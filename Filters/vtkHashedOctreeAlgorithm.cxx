@@ -4,7 +4,6 @@
 #include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 vtkHashedOctreeAlgorithm::vtkHashedOctreeAlgorithm()

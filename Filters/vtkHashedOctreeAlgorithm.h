@@ -23,9 +23,8 @@
 
 #include "HashedOctreeFiltersModule.h" // For export macro
 #include "vtkDataObjectAlgorithm.h"
-#include "vtkSmartPointer.h" // For the controller
-
-class vtkMultiProcessController;
+#include "vtkMultiProcessController.h"
+#include "vtkSmartPointer.h"
 
 class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeAlgorithm : public vtkDataObjectAlgorithm
 {

@@ -128,10 +128,10 @@ std::vector<double> GetMeans(const TreePart<Dim>& part, const Numbers& examined,
 {
   std::vector<std::uint64_t> all(examined.begin(), examined.begin() + numberOfDepths);
   part.AddUp(all);
-  std::vector<double> means;
-  for (const std::uint64_t nodes : all)
+  std::vector<double> means(numberOfDepths, 0.0);
+  for (std::size_t depth = 0; count > 0 && depth < numberOfDepths; ++depth)
   {
-    means.push_back(count > 0 ? static_cast<double>(nodes) / static_cast<double>(count) : 0.0);
+    means[depth] = static_cast<double>(all[depth]) / static_cast<double>(count);
   }
   return means;
 }
