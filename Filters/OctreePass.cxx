@@ -14,12 +14,14 @@
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <chrono>
@@ -35,34 +37,53 @@ constexpr double SelectionShare = 0.05;
 /** Share of the progress of building with others: where the keys are made. */
 constexpr double CodesShare = 0.1;
 
-/** The tree of the selected points in a frame, alone. */
+/** The points that a process has for a tree. */
+template <typename Real>
+struct OwnPoints
+{
+  PointSpan<3, Real> Points;
+  const PointSelection<3>& Selection;
+  vtkUnsignedCharArray* Ghosts; ///< Null where no point is one.
+
+  bool IsDuplicate(PointIndex id) const
+  {
+    return this->Ghosts != nullptr &&
+      (this->Ghosts->GetValue(static_cast<vtkIdType>(id)) & vtkDataSetAttributes::DUPLICATEPOINT) !=
+      0;
+  }
+};
+
+/** The tree of a process alone. */
 template <int Dim, typename Real>
-PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, PointSpan<3, Real> points,
-  const PointSelection<3>& selection, const typename Octree<Dim>::Options& options,
-  const Execution& execution)
+PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const OwnPoints<Real>& own,
+  const typename Octree<Dim>::Options& options, const Execution& execution)
 {
   PointsOctree<Dim> octree;
-  octree.Tree = Octree<Dim>(Project(points, frame, selection.GetBox()),
-    PointSelection<Dim>(selection, frame.GetAxes()), options, execution);
+  octree.Tree = Octree<Dim>(Project(own.Points, frame, own.Selection.GetBox()),
+    PointSelection<Dim>(own.Selection, frame.GetAxes()), options, execution);
   octree.Counts = octree.Tree.GetDepthCounts();
   octree.TreeBytes = octree.Tree.GetTreeBytes();
   return octree;
 }
 
-/** The same of the points of several processes, in their root. */
+/** The tree of several processes in the root of all of them. A point that VTK marks as one that
+ * another process has, too, is in the tree as that one's. */
 template <int Dim, typename Real>
 PointsOctree<Dim> BuildWithOthers(const ProcessGroup& processes, const TreeFrame<Dim>& frame,
-  const Box<3>& root, PointSpan<3, Real> points, const PointSelection<3>& selection,
-  const typename Octree<Dim>::Options& options, const Execution& execution)
+  const Box<3>& root, const OwnPoints<Real>& own, const typename Octree<Dim>::Options& options,
+  const Execution& execution)
 {
   const Grid<Dim> grid(
     Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
   std::vector<MortonKey<Dim>> keys;
-  const auto coded = EncodePoints(Project(points, frame, selection.GetBox()),
-    PointSelection<Dim>(selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
+  const auto coded = EncodePoints(Project(own.Points, frame, own.Selection.GetBox()),
+    PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
   for (std::size_t i = 0; i < coded.GetSize(); ++i)
   {
-    keys.push_back(coded[i].GetKey());
+    if (!own.IsDuplicate(coded[i].GetId()))
+    {
+      keys.push_back(coded[i].GetKey());
+    }
   }
   return BuildDistributedOctree(
     processes, grid, std::move(keys), options, execution.Part(CodesShare, 1.0));
@@ -70,15 +91,15 @@ PointsOctree<Dim> BuildWithOthers(const ProcessGroup& processes, const TreeFrame
 
 template <int Dim, typename Real>
 PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Dim>& frame,
-  const Box<3>& root, PointSpan<3, Real> points, const PointSelection<3>& selection,
-  const typename Octree<Dim>::Options& options, const Execution& execution)
+  const Box<3>& root, const OwnPoints<Real>& own, const typename Octree<Dim>::Options& options,
+  const Execution& execution)
 {
   PointsOctree<Dim> octree = processes.AreSeveral()
-    ? BuildWithOthers(processes, frame, root, points, selection, options, execution)
-    : BuildAlone(frame, points, selection, options, execution);
+    ? BuildWithOthers(processes, frame, root, own, options, execution)
+    : BuildAlone(frame, own, options, execution);
   octree.Frame = frame;
-  octree.SkippedPoints = processes.Sum(selection.GetNumberOfSkippedPoints());
-  octree.OutsidePoints = processes.Sum(selection.GetNumberOfOutsidePoints());
+  octree.SkippedPoints = processes.Sum(own.Selection.GetNumberOfSkippedPoints());
+  octree.OutsidePoints = processes.Sum(own.Selection.GetNumberOfOutsidePoints());
   return octree;
 }
 
@@ -221,7 +242,9 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
       const auto build = [&](const auto& frame)
       {
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
-        built = BuildInFrame(this->Processes, frame, *root, span, selection,
+        built = BuildInFrame(this->Processes, frame, *root,
+          OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{
+            span, selection, input->GetPointGhostArray() },
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
       };
       const auto plane = FindQuadtreeFrame(this->Algorithm, *root);

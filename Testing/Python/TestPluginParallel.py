@@ -9,8 +9,8 @@ from octreetesting import CELL_ARRAYS, COSTS, HISTOGRAM, argument, arrays, write
 from paraview import simple
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_VOXEL, vtkMultiBlockDataSet,
-                                           vtkPartitionedDataSet, vtkPolyData)
+from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_VOXEL, vtkDataSetAttributes,
+                                           vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPolyData)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from hashedoctree import (vtkHashedOctreeFilter, vtkHashedOctreeLocateFilter,
@@ -210,6 +210,15 @@ halves = cube.astype(numpy.float32)
 ends = {0: halves[:1000], 3: halves[1000:]}
 piece = run(make_points(ends.get(rank, halves[:0]).astype(types[rank])), PROCESSES)
 expect_same_tree(piece, run(make_points(halves), 1))
+
+# A point that is marked as one that another process has, too, is not counted twice.
+mine = make_points(numpy.concatenate([cube[rank::PROCESSES], cube[:300], cube[0::PROCESSES]]))
+ghosts = numpy.zeros(mine.GetNumberOfPoints(), numpy.uint8)
+ghosts[-300 - len(cube[0::PROCESSES]):] = vtkDataSetAttributes.DUPLICATEPOINT
+ghosts = numpy_to_vtk(ghosts, deep=True)
+ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+mine.GetPointData().AddArray(ghosts)
+expect_same_tree(run(mine, PROCESSES), run(make_points(cube), 1))
 
 # Blocks, of which processes have some only; the trees are there where the blocks are.
 def make_blocks(kind, *blocks):
