@@ -14,8 +14,18 @@
  * coordinates, split into four. Its cells lie in the plane through the lowest third coordinate of
  * the points that take part (of the custom bounds, where the filter has them and uses them); the
  * third coordinate has no other effect, but that a point where it is not finite is left out as in
- * an octree. Each block of a composite data set, and each piece of a distributed one, has the
- * dimension and the plane that its own points ask for; set Dimension and Plane to have one of all.
+ * an octree. Each block of a composite data set has the dimension and the plane that its own points
+ * ask for; set Dimension and Plane to have one of all.
+ *
+ * Several processes that have the pieces of a data set make one tree together: those of Controller,
+ * when as many pieces are asked for as there are processes, and of each the one of its rank, as
+ * ParaView does. All of them have to update the filter then, each waits for the others, and what
+ * fails in one ends it in all. The points of all pieces are in the tree, those at one place as often
+ * as they are there, but for points that VTK marks as another piece's (vtkGhostType has
+ * DUPLICATEPOINT), which are that one's. So where pieces share a layer of points mark it, as
+ * vtkGenerateGlobalIds does. Of composite data sets the blocks at one place are pieces of one, if
+ * all processes have the same structure; otherwise, and without such a group, each process makes
+ * trees of its own points.
  */
 
 #ifndef vtkHashedOctreeAlgorithm_h
@@ -120,9 +130,8 @@ public:
   ///@}
 
   ///@{
-  /** Who have the other pieces of a distributed data set, in a filter that says that it makes one
-   * tree of all of them; the default is the global controller. Null makes each process work alone.
-   */
+  /** Whose processes have the other pieces of a distributed data set; default the global
+   * controller. Null makes each process work alone. */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
   ///@}

@@ -65,9 +65,9 @@ public:
     {
       FillDepthHistogram(histogram, octree.Counts, Dim);
       FillCostCurves(costs, octree.Counts, measured, Dim);
-      PassFieldData(nodes, histogram);
-      PassFieldData(nodes, costs);
     }
+    PassFieldData(nodes, histogram);
+    PassFieldData(nodes, costs);
     return { nodes, histogram, costs };
   }
 

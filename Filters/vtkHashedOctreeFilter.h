@@ -52,16 +52,22 @@
  *
  * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite,
  * or further from 0 than a quarter of the largest double (4.4e307), are left out with one warning.
- * An input without points, or without one that can be used, is an error, but for an empty piece of
- * a distributed data set or an empty block of a composite one. The result, but for BuildSeconds,
- * does not depend on the number of threads (vtkSMPTools). Progress is reported throughout; an abort
+ * An input without points, or without one that can be used, is an error, but for an empty block of a
+ * composite one, and for an empty piece whose other pieces are not of this group of processes (see
+ * vtkHashedOctreeAlgorithm). The result, but for BuildSeconds, does not depend on the number of
+ * threads (vtkSMPTools). Progress is reported throughout; an abort
  * is heeded within a tenth of a second and leaves all outputs empty (VTK keeps AbortExecute set:
  * reset it before the next update). Points with the same cell at MaxDepth share a leaf, however
  * many they are. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
- * internal nodes. Of a distributed data set every process makes the tree of its own piece; give
- * CustomBounds for one grid, by which all of them also have the same dimension and plane. A hyper
- * tree grid is then one for each process, too, and not a piece of a whole, so that VTK's generator
- * of ghost cells, which takes it for one, waits for ever.
+ * internal nodes.
+ *
+ * Several processes that have the pieces of a data set make one tree together, of which each has a
+ * part with about as many points. Together their outputs hold each node once, with the values that
+ * one process would give it, in the order above within each process. A hyper tree grid holds the
+ * nodes around a process's own, too, with their leaves masked. VTK's generator of ghost cells, which
+ * takes such grids for pieces with trees of their own, waits for ever. The tables are those of the
+ * whole, in the first process; the others have tables without columns. Field data are of the whole,
+ * in all: TreeBytes is the sum, BuildSeconds the longest time.
  */
 
 #ifndef vtkHashedOctreeFilter_h
@@ -102,8 +108,8 @@ public:
   ///@{
   /** Whether CustomBounds gives the root instead of the points' own bounds, so that trees of
    * different points share one grid. Points outside CustomBounds are left out and counted, of
-   * quadtrees too; points on its faces are inside. A block or a piece with all of its points
-   * outside has no tree, and so nothing that counts them. Default off. */
+   * quadtrees too; points on its faces are inside. A block with all of its points outside has no
+   * tree, and so nothing that counts them. Default off. */
   vtkSetMacro(UseCustomBounds, bool);
   vtkGetMacro(UseCustomBounds, bool);
   vtkBooleanMacro(UseCustomBounds, bool);

@@ -58,13 +58,17 @@
  * - MeasuredMean (double): mean nodes examined over the queries; of the bound, that of their
  * depths.
  *
- * Progress, abort, threads, points that are not finite, empty inputs and distributed data: as in
+ * Progress, abort, threads, points that are not finite and empty inputs: as in
  * vtkHashedOctreeFilter; but leaves are numbered and local start depths chosen in passes over the
  * nodes during which no abort is heeded. That, too, is done once for each tree, whatever the number
  * of blocks of queries. No queries in any block, or none with finite coordinates, are an error, but
- * for a piece of a distributed data set. There every process searches for its own queries in the
- * tree of its own points, and has no rows in the table without some; one without points gives
- * nothing back, so bring the points to where the queries are.
+ * for a piece whose other pieces are not of this group of processes.
+ *
+ * Several processes that have the pieces of both inputs make one tree together, and send each query
+ * to the process that has its part of the tree. Each gives its own queries back, with what they find
+ * in the whole tree; LeafId is then the number of the cell among those of all processes, by depth,
+ * then by key. The tables are of the queries of all, in the first process; queries in blocks at one
+ * place of their composite data sets are of one block. Field data are of the whole, in all.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h

@@ -25,7 +25,7 @@ set(HASHEDOCTREE_HAVE_PARAVIEW "${ParaView_FOUND}")
 if (HASHEDOCTREE_HOST STREQUAL "VTK" OR
     (HASHEDOCTREE_HOST STREQUAL "AUTO" AND NOT HASHEDOCTREE_HAVE_PARAVIEW))
   find_package(VTK 9.1 ${quiet}
-    COMPONENTS CommonCore CommonDataModel CommonExecutionModel
+    COMPONENTS CommonCore CommonDataModel CommonExecutionModel ParallelCore
     OPTIONAL_COMPONENTS Python WrappingPythonCore)
 endif ()
 
