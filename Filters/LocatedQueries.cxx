@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatedQueries.h"
 
-#include "PointKeys.h"
 #include "QueryArrays.h"
+#include "QueryDepths.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <iterator>
 #include <utility>
@@ -82,16 +81,10 @@ LocatedQueries<Dim>::LocatedQueries(
   const PointsAdaptor points(
     queries != nullptr ? queries : nothing.Get(), execution.Part(0.0, 0.5));
   points.Visit(
-    [&](auto inSpace)
+    [&](auto span)
     {
-      const auto span = Project(inSpace, octree.Frame);
-      this->Own.resize(span.Count);
-      execution.Part(0.5, 1.0).ForEach(span.Count, ChunkOfQueries,
-        [&](std::size_t i)
-        {
-          const Position<Dim> x = GetPosition<Dim>(span, i);
-          this->Own[i] = IsFinite(x) ? octree.Tree.GetGrid().GetKey(x.data()) : MortonKey<Dim>(0);
-        });
+      this->Own =
+        GetQueryKeys(octree.Tree.GetGrid(), Project(span, octree.Frame), execution.Part(0.5, 1.0));
     });
   this->Finite = this->Own.size() -
     static_cast<std::size_t>(std::count(this->Own.begin(), this->Own.end(), MortonKey<Dim>(0)));
@@ -103,29 +96,11 @@ LocatedQueries<Dim>::LocatedQueries(
 template <int Dim>
 DepthHistogram LocatedQueries<Dim>::MeasureDepths(const Execution& execution) const
 {
-  using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
-  const int startDepth = GetMedianDepth(this->Octree.Counts.Leaves);
   DepthHistogram depths(this->Octree.Counts.Leaves.size(), 0);
   for (const Keys& keys : this->Searched)
   {
-    const auto chunks = execution.MapChunks(keys.size(), ChunkOfQueries,
-      [&](std::size_t first, std::size_t last)
-      {
-        PerDepth counts{};
-        for (std::size_t i = first; i < last; ++i)
-        {
-          if (keys[i] != MortonKey<Dim>(0))
-          {
-            const auto leaf = FindLeaf(this->Octree.Tree, keys[i], startDepth);
-            ++counts[static_cast<std::size_t>(leaf.Key.GetDepth())];
-          }
-        }
-        return counts;
-      });
-    for (const PerDepth& counts : chunks)
-    {
-      std::transform(depths.begin(), depths.end(), counts.begin(), depths.begin(), std::plus<>());
-    }
+    const DepthHistogram ofKeys = MeasureQueryDepths(this->Octree.Tree, keys, execution);
+    std::transform(ofKeys.begin(), ofKeys.end(), depths.begin(), depths.begin(), std::plus<>());
   }
   this->Octree.Processes.Sum(depths);
   return depths;

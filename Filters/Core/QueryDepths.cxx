@@ -1,53 +1,84 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QueryDepths.h"
 
-#include "DirectBatch.h"
-#include "PlaneSpan.h"
+#include "DirectSearch.h"
+#include "PointKeys.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
 
 namespace hashedoctree
 {
-template <int Dim, typename Points>
-DepthHistogram MeasureQueryDepths(
-  const Octree<Dim>& tree, Points queries, const Execution& execution)
+namespace
 {
-  constexpr std::size_t chunkSize = 4096; // Positions that a thread does at a time.
+constexpr std::size_t ChunkSize = 4096; // Positions that a thread does at a time.
+}
+
+template <int Dim, typename Points>
+std::vector<MortonKey<Dim>> GetQueryKeys(
+  const Grid<Dim>& grid, Points queries, const Execution& execution)
+{
+  std::vector<MortonKey<Dim>> keys(queries.Count);
+  execution.ForChunks(queries.Count, ChunkSize,
+    [&](std::size_t, std::size_t first, std::size_t last)
+    {
+      for (std::size_t block = first; block < last; block += MostKeysAtOnce)
+      {
+        const std::size_t count = std::min(last - block, MostKeysAtOnce);
+        GetKeys<Dim>(grid, queries, block, count, &keys[block]);
+        for (std::size_t i = block; i < block + count; ++i)
+        {
+          keys[i] = IsFinite(GetPosition<Dim>(queries, i)) ? keys[i] : MortonKey<Dim>(0);
+        }
+      }
+    });
+  return keys;
+}
+
+template <int Dim>
+DepthHistogram MeasureQueryDepths(
+  const Octree<Dim>& tree, const std::vector<MortonKey<Dim>>& keys, const Execution& execution)
+{
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
   const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
-  const auto chunks = execution.MapChunks(queries.Count, chunkSize,
+  const auto chunks = execution.MapChunks(keys.size(), ChunkSize,
     [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};
-      FindLeaves(
-        tree, queries, first, last, [startDepth](MortonKey<Dim>) { return startDepth; },
-        [&counts, &queries](std::size_t i, const FoundLeaf<Dim>& leaf)
+      for (std::size_t i = first; i < last; ++i)
+      {
+        if (keys[i] != MortonKey<Dim>(0))
         {
-          const bool counted = IsFinite(GetPosition<Dim>(queries, i));
-          counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += counted ? 1 : 0;
-        });
+          const FoundLeaf<Dim> leaf = FindLeaf(tree, keys[i], startDepth);
+          ++counts[static_cast<std::size_t>(leaf.Key.GetDepth())];
+        }
+      }
       return counts;
     });
 
   DepthHistogram histogram(tree.GetDepthCounts().Leaves.size(), 0);
   for (const PerDepth& counts : chunks)
   {
-    for (std::size_t depth = 0; depth < histogram.size(); ++depth)
-    {
-      histogram[depth] += counts[depth];
-    }
+    std::transform(
+      histogram.begin(), histogram.end(), counts.begin(), histogram.begin(), std::plus<>());
   }
   return histogram;
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template std::vector<MortonKey<Dim>> GetQueryKeys(                                               \
+    const Grid<Dim>&, PointSpan<Dim, float>, const Execution&);                                    \
+  template std::vector<MortonKey<Dim>> GetQueryKeys(                                               \
+    const Grid<Dim>&, PointSpan<Dim, double>, const Execution&);                                   \
   template DepthHistogram MeasureQueryDepths(                                                      \
-    const Octree<Dim>&, PointSpan<Dim, float>, const Execution&);                                  \
-  template DepthHistogram MeasureQueryDepths(                                                      \
-    const Octree<Dim>&, PointSpan<Dim, double>, const Execution&);
+    const Octree<Dim>&, const std::vector<MortonKey<Dim>>&, const Execution&);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
-template DepthHistogram MeasureQueryDepths(const Octree<2>&, PlaneSpan<float>, const Execution&);
-template DepthHistogram MeasureQueryDepths(const Octree<2>&, PlaneSpan<double>, const Execution&);
+template std::vector<MortonKey<2>> GetQueryKeys(const Grid<2>&, PlaneSpan<float>, const Execution&);
+template std::vector<MortonKey<2>> GetQueryKeys(
+  const Grid<2>&, PlaneSpan<double>, const Execution&);
 }

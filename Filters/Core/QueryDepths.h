@@ -4,21 +4,31 @@
 
 #include "Octree.h"
 
+#include <vector>
+
 namespace hashedoctree
 {
 /**
- * The histogram of what is really searched for: how many of the given positions lie in leaves of
- * each depth. It is the p_l * f_l of the paper (section 4) with f measured from a
- * second set of points instead of being modelled, from depth 0 to the tree's deepest.
- *
- * Positions outside the root count for the leaf nearest to them, as in Grid; those that are not
- * finite are left out. O(1 + |l - median|) for each position whose leaf is at depth l. The same
- * whatever the threads. Instantiated for PointSpans of float and double, in two dimensions for
- * PlaneSpans, too. Throws Interrupted.
+ * The keys at MaxDepth of positions, as by Grid::GetKey(); key 0, which names no node, for those
+ * that are not finite. O(n). The same whatever the threads. Instantiated for PointSpans of float
+ * and double, in two dimensions for PlaneSpans, too. Throws Interrupted.
  */
 template <int Dim, typename Points>
+std::vector<MortonKey<Dim>> GetQueryKeys(
+  const Grid<Dim>& grid, Points queries, const Execution& execution);
+
+/**
+ * The histogram of what is really searched for: how many of the positions with these keys lie in
+ * leaves of each depth. It is the p_l * f_l of the paper (section 4) with f measured from a second
+ * set of points instead of being modelled, from depth 0 to the tree's deepest.
+ *
+ * Positions outside the root count for the leaf nearest to them, as in Grid; key 0 is left out.
+ * O(1 + |l - median|) for each position whose leaf is at depth l. The same whatever the threads.
+ * Throws Interrupted.
+ */
+template <int Dim>
 DepthHistogram MeasureQueryDepths(
-  const Octree<Dim>& tree, Points queries, const Execution& execution);
+  const Octree<Dim>& tree, const std::vector<MortonKey<Dim>>& keys, const Execution& execution);
 }
 
 #endif

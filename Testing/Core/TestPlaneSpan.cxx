@@ -166,7 +166,10 @@ TEST(TestPlaneSpan, GivesQueriesTheDepthsOfCopiedCoordinates)
   EXPECT_EQ(finite.GetNumberOfPoints(), 57U);
   for (const std::array<int, 2>& axes : AllAxes)
   {
-    EXPECT_EQ(MeasureQueryDepths(tree, MakePlane(queries, axes), Execution()),
-      MeasureQueryDepths(tree, CopyKept(queries, finite, axes).GetSpan(), Execution()));
+    const auto copied = CopyKept(queries, finite, axes);
+    const auto keys = GetQueryKeys(tree.GetGrid(), MakePlane(queries, axes), Execution());
+    const auto expected = GetQueryKeys(tree.GetGrid(), copied.GetSpan(), Execution());
+    EXPECT_EQ(
+      MeasureQueryDepths(tree, keys, Execution()), MeasureQueryDepths(tree, expected, Execution()));
   }
 }

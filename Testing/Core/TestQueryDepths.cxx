@@ -7,6 +7,16 @@
 
 using namespace hashedoctree;
 
+namespace
+{
+template <int Dim, typename Real>
+DepthHistogram MeasureDepths(
+  const Octree<Dim>& tree, PointSpan<Dim, Real> queries, const Execution& execution)
+{
+  return MeasureQueryDepths(tree, GetQueryKeys(tree.GetGrid(), queries, execution), execution);
+}
+}
+
 template <typename Dimension>
 class TestQueryDepths : public ::testing::Test
 {
@@ -52,7 +62,7 @@ TYPED_TEST(TestQueryDepths, AreThoseOfTheLeavesThatHoldThePositions)
   {
     SCOPED_TRACE(sample.Name);
     const SampleTree<dim, float> made(sample);
-    EXPECT_EQ(MeasureQueryDepths(made.Tree, queries.GetSpan(), Execution()),
+    EXPECT_EQ(MeasureDepths(made.Tree, queries.GetSpan(), Execution()),
       TestFixture::CountByLeaves(made.Tree, queries.GetSpan()));
   }
 }
@@ -64,8 +74,8 @@ TYPED_TEST(TestQueryDepths, OfThePointsThemselvesAreThePointsOfTheLeaves)
   {
     SCOPED_TRACE(sample.Name);
     const SampleTree<dim, float> made(sample, { 3, MortonKey<dim>::MaxDepth });
-    EXPECT_EQ(MeasureQueryDepths(made.Tree, sample.GetSpan(), Execution()),
-      made.Tree.GetDepthCounts().Points);
+    EXPECT_EQ(
+      MeasureDepths(made.Tree, sample.GetSpan(), Execution()), made.Tree.GetDepthCounts().Points);
   }
 }
 
@@ -76,7 +86,7 @@ TYPED_TEST(TestQueryDepths, ThreadsDoNotMatter)
   const SampleTree<dim, double> made(sample);
   for (const unsigned threads : { 1U, 2U, 8U })
   {
-    EXPECT_EQ(MeasureQueryDepths(made.Tree, sample.GetSpan(), Execution(OnThreads(threads))),
+    EXPECT_EQ(MeasureDepths(made.Tree, sample.GetSpan(), Execution(OnThreads(threads))),
       made.Tree.GetDepthCounts().Points);
   }
 }
@@ -85,7 +95,7 @@ TEST(TestQueryDepthsFacts, NoQueriesHaveNoWeight)
 {
   const SampleTree<2, double> made(
     PointSample<2, double>{ "uniform", MakeUniformPoints<2, double>(100, 183) });
-  EXPECT_EQ(MeasureQueryDepths(made.Tree, PointSpan<2, double>(), Execution()),
+  EXPECT_EQ(MeasureDepths(made.Tree, PointSpan<2, double>(), Execution()),
     DepthHistogram(made.Tree.GetDepthCounts().Leaves.size(), 0));
 }
 
@@ -94,5 +104,7 @@ TEST(TestQueryDepthsFacts, CanBeInterrupted)
   const PointSample<3, double> sample{ "uniform", MakeUniformPoints<3, double>(1000, 184) };
   const SampleTree<3, double> made(sample);
   const Execution execution(OnThreads(1), [](double) { return false; });
-  EXPECT_THROW(MeasureQueryDepths(made.Tree, sample.GetSpan(), execution), Interrupted);
+  EXPECT_THROW(GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), execution), Interrupted);
+  const auto keys = GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), Execution());
+  EXPECT_THROW(MeasureQueryDepths(made.Tree, keys, execution), Interrupted);
 }
