@@ -202,15 +202,15 @@ OctreePass::Outputs OctreePass::Process(
 {
   vtkNew<vtkPolyData> nothing;
   auto* input = vtkPointSet::SafeDownCast(data);
-  if (input == nullptr || input->GetNumberOfPoints() == 0)
+  if (input == nullptr)
   {
     const bool isImplicit = data != nullptr && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
     this->ImplicitBlocks += isImplicit ? 1 : 0;
-    if (!this->Processes.AreSeveral())
-    {
-      return {};
-    }
-    input = nothing; // Others may have points.
+    input = nothing;
+  }
+  if (input->GetNumberOfPoints() == 0 && !this->Processes.AreSeveral())
+  {
+    return {};
   }
   const std::optional<AnyPointsOctree> octree = this->Build(input, execution);
   Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};

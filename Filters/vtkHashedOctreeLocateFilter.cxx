@@ -116,13 +116,13 @@ private:
   {
     const QueryBlocks blocks(points, queries, outputVector, processes);
     OctreePass pass(this->Self, processes);
-    this->IsPiece = OctreePass::IsPiece(request, outputVector) && !processes.AreSeveral();
+    this->IsPiece = OctreePass::IsPiece(request, outputVector);
     std::size_t all = 0;
     for (vtkDataSet* block : blocks.Get())
     {
       all += block != nullptr ? static_cast<std::size_t>(block->GetNumberOfPoints()) : 0;
     }
-    if (processes.Sum(all) == 0 && !this->IsPiece)
+    if (processes.Sum(all) == 0 && this->HasAll(processes))
     {
       throw std::invalid_argument("There are no query points; give a data set with points.");
     }
@@ -137,6 +137,12 @@ private:
         this->Self, << all - this->FiniteQueries << " of " << all
                     << " query points have a coordinate that is not finite; they are not located.");
     }
+  }
+
+  /** Whether no others than these processes have pieces of the inputs. */
+  bool HasAll(const ProcessGroup& processes) const
+  {
+    return !this->IsPiece || processes.AreSeveral();
   }
 
   /** The outputs for each block of queries, one after the other. */
@@ -157,7 +163,7 @@ private:
       outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
       begin += share;
     }
-    if (octree.Processes.Sum(this->FiniteQueries) == 0 && !this->IsPiece)
+    if (octree.Processes.Sum(this->FiniteQueries) == 0 && this->HasAll(octree.Processes))
     {
       throw std::invalid_argument("No query point has finite coordinates; mend the query points.");
     }
@@ -229,7 +235,7 @@ private:
     const DepthHistogram predicted =
       GetDepthHistogram(octree.Counts, GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     rows.push_back({ "Entropy bound", -1, GetEntropyBound(predicted), GetEntropyBound(depths) });
-    if (this->IsPiece && GetTotal(depths) == 0)
+    if (!this->HasAll(octree.Processes) && GetTotal(depths) == 0)
     {
       rows.clear(); // The pieces that have queries have the rows.
     }

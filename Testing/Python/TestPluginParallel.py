@@ -270,6 +270,12 @@ assert piece[0].GetNumberOfPartitions() == rank + 1
 assert numpy.array_equal(rows(piece[0].GetPartition(rank)), rows(whole[0].GetPartition(rank)))
 assert piece[1].GetBlock(rank).GetNumberOfRows() == whole[1].GetBlock(rank).GetNumberOfRows() > 1
 
+# Then points, or queries, may be in some processes only.
+mine = [make_points(cube[:90])] if rank == 3 else [make_points(cube[:0])] * (rank + 1)
+piece = run(make_blocks(vtkPartitionedDataSet, *mine), PROCESSES,
+            queries=make_points(queries[:40 if rank < 2 else 0]), **locating)
+assert (piece[1].GetNumberOfBlocks() > 0 and piece[1].GetBlock(0) is not None) == (rank == 3)
+
 # So it is without a controller.
 octree = vtkHashedOctreeFilter()
 octree.SetController(None)
