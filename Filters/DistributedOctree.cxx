@@ -51,10 +51,11 @@ template <int Dim>
 void AddOverlap(
   const ProcessGroup& processes, std::vector<MortonKey<Dim>>& keys, std::size_t overlap)
 {
-  using Division = CurveDivision<Dim>;
-  const auto firstOfParts = processes.Gather(Division::FindFirst(keys, overlap));
-  const auto lastOfParts = processes.Gather(Division::FindLast(keys, overlap));
-  const auto around = Division::GetAround(processes.GetRank(), firstOfParts, lastOfParts, overlap);
+  std::vector<std::uint64_t> points(processes.GetNumber(), 0);
+  points[processes.GetRank()] = keys.size();
+  processes.Sum(points);
+  const auto around = Join(processes.Exchange(
+    CurveDivision<Dim>::GetOverlaps(processes.GetRank(), keys, points, overlap)));
   keys.insert(keys.end(), around.begin(), around.end());
 }
 

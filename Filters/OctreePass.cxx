@@ -103,13 +103,6 @@ PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Di
   return octree;
 }
 
-/** The information of the output that the request came from. */
-vtkInformation* GetRequested(vtkInformation* request, vtkInformationVector* outputVector)
-{
-  const int port = request->Get(vtkStreamingDemandDrivenPipeline::FROM_OUTPUT_PORT());
-  return outputVector->GetInformationObject(std::max(port, 0)); // 0 also if unknown.
-}
-
 /** Where the leaves of a composite data set are, those that hold nothing, too. */
 std::vector<std::uint64_t> ListLeaves(vtkDataObjectTreeIterator* leaves)
 {
@@ -134,7 +127,9 @@ void OctreePass::ExecuteAny(
   vtkDataObject* input, const Targets& targets, bool isPiece, const MakeOutputs& makeOutputs)
 {
   const Execution execution = MakeExecution(this->Algorithm);
-  if (auto* composite = vtkDataObjectTree::SafeDownCast(input))
+  auto* composite = vtkDataObjectTree::SafeDownCast(input);
+  if (this->Processes.IsTrueInAll(composite != nullptr,
+        "Some processes have blocks of points, others have not; give all of them blocks."))
   {
     this->ProcessBlocks(composite, targets, makeOutputs, execution);
   }
@@ -146,16 +141,19 @@ void OctreePass::ExecuteAny(
       HandOver(outputs[i], targets[i]);
     }
   }
-  if (this->SkippedPoints > 0)
+  this->AllPoints = this->Processes.Sum(this->AllPoints);
+  this->SkippedPoints = this->Processes.Sum(this->SkippedPoints);
+  this->ImplicitBlocks = this->Processes.Sum(this->ImplicitBlocks);
+  if (this->SkippedPoints > 0 && this->Processes.IsFirst())
   {
-    WarnOfSkippedPoints(this->Algorithm, this->SkippedPoints, this->AllPoints);
+    WarnOfSkippedPoints(
+      this->Algorithm, this->SkippedPoints, static_cast<vtkIdType>(this->AllPoints));
   }
-  const auto allPoints = this->Processes.Sum(static_cast<std::uint64_t>(this->AllPoints));
   if (this->UsedPoints == 0 && (!isPiece || this->Processes.AreSeveral()))
   {
-    this->RefuseInput(allPoints);
+    this->RefuseInput();
   }
-  if (this->ImplicitBlocks > 0)
+  if (this->ImplicitBlocks > 0 && this->Processes.IsFirst())
   {
     vtkWarningWithObjectMacro(this->Algorithm,
       << "Blocks left out because their points have no coordinates of their own, as those of "
@@ -216,7 +214,10 @@ OctreePass::Outputs OctreePass::Process(
   Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};
   for (vtkDataObject* output : outputs)
   {
-    PassFieldData(input, output);
+    if (output != nullptr)
+    {
+      PassFieldData(input, output);
+    }
   }
   return outputs;
 }
@@ -232,7 +233,7 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
     {
       const PointSelection<3> selection(
         span, this->Root, execution.Part(AdaptorShare, SelectionShare));
-      this->AllPoints += input->GetNumberOfPoints();
+      this->AllPoints += span.Count;
       this->SkippedPoints += selection.GetNumberOfSkippedPoints();
       const std::optional<Box<3>> root = this->FindRoot(selection);
       if (!root)
@@ -284,33 +285,9 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
   return ports;
 }
 
-ProcessGroup OctreePass::FindProcesses(
-  vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputVector)
+void OctreePass::RefuseInput() const
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkMultiProcessController* controller = algorithm->GetController();
-  if (controller == nullptr || !IsPiece(request, outputVector))
-  {
-    return {};
-  }
-  vtkInformation* information = GetRequested(request, outputVector);
-  const bool isOwn =
-    information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == controller->GetNumberOfProcesses() &&
-    information->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
-  return isOwn ? ProcessGroup(controller) : ProcessGroup();
-}
-
-bool OctreePass::IsPiece(vtkInformation* request, vtkInformationVector* outputVector)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* information = GetRequested(request, outputVector);
-  return information->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
-    information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
-}
-
-void OctreePass::RefuseInput(std::uint64_t allPoints) const
-{
-  if (allPoints == 0)
+  if (this->AllPoints == 0)
   {
     throw std::invalid_argument(this->ImplicitBlocks > 0
         ? "The points of the input have no coordinates of their own, as those of images; "

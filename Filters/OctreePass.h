@@ -2,6 +2,7 @@
 #ifndef OctreePass_h
 #define OctreePass_h
 
+#include "PieceRequest.h"
 #include "PointsOctree.h"
 
 #include "vtkDataObject.h"
@@ -32,8 +33,8 @@ namespace hashedoctree
 class OctreePass
 {
 public:
-  /** What is made of a tree, one data object for each of the targets; empty where there is nothing.
-   */
+  /** What is made of a tree, one data object for each of the targets; null, or no list, where there
+   * is nothing. Only targets in blocks may have null. */
   using Outputs = std::vector<vtkSmartPointer<vtkDataObject>>;
   /** What the outputs are put into: data objects of their types or, of a composite input, composite
    * ones that take its structure. */
@@ -63,22 +64,14 @@ public:
   void Execute(vtkDataObject* input, vtkInformation* request, vtkInformationVector* outputVector,
     const Function& makeOutputs)
   {
-    this->Execute(input, GetPorts(outputVector), IsPiece(request, outputVector), makeOutputs);
+    this->Execute(
+      input, GetPorts(outputVector), IsPieceRequested(request, outputVector), makeOutputs);
   }
 
   /** Those who made the trees together, of all calls so far. */
   const ProcessGroup& GetProcesses() const { return this->Processes; }
 
   static Targets GetPorts(vtkInformationVector* outputVector);
-
-  /** Those that have the other pieces: of the algorithm's controller when as many pieces are asked
-   * for as it has processes, and of each its own, else this one alone. */
-  static ProcessGroup FindProcesses(vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request,
-    vtkInformationVector* outputVector);
-
-  /** Whether other processes, or other updates, have the rest of a distributed data set: what the
-   * output says that the request came from. */
-  static bool IsPiece(vtkInformation* request, vtkInformationVector* outputVector);
 
 private:
   using MakeOutputs = std::function<Outputs(const AnyPointsOctree&, const Execution&)>;
@@ -94,15 +87,16 @@ private:
   /** The given root, or the box around the selected points of all processes; nothing if there are
    * none. */
   std::optional<Box<3>> FindRoot(const PointSelection<3>& selection);
-  [[noreturn]] void RefuseInput(std::uint64_t allPoints) const;
+  [[noreturn]] void RefuseInput() const;
 
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;
   std::optional<Box<3>> Root;
-  vtkIdType AllPoints = 0;
-  std::size_t SkippedPoints = 0;
-  std::uint64_t UsedPoints = 0;   ///< Of all processes.
-  std::size_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
+  // Of this process, in the end of all.
+  std::uint64_t AllPoints = 0;
+  std::uint64_t SkippedPoints = 0;
+  std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
+  std::uint64_t UsedPoints = 0;     ///< Always of all.
 };
 }
 

@@ -66,7 +66,7 @@ void ProcessGroup::Agree(bool hasFailed) const
   Require(this->Controller->AllReduce(&own, &failures, 1, vtkCommunicator::MAX_OP));
   if (failures > 0 && !hasFailed)
   {
-    throw FailedElsewhere();
+    throw FailedElsewhere("Another process has failed, or was stopped; see what it says.");
   }
 }
 
@@ -94,6 +94,16 @@ std::uint64_t ProcessGroup::Sum(std::uint64_t value) const
   std::vector<std::uint64_t> values{ value };
   this->Sum(values);
   return values.front();
+}
+
+bool ProcessGroup::IsTrueInAll(bool here, const char* problem) const
+{
+  const std::uint64_t number = this->Sum(here ? 1 : 0);
+  if (number > 0 && number < this->GetNumber())
+  {
+    throw std::invalid_argument(problem);
+  }
+  return here;
 }
 
 void ProcessGroup::Min(double* values, std::size_t count) const

@@ -2,14 +2,13 @@
 #ifndef ProcessGroup_h
 #define ProcessGroup_h
 
-#include "Execution.h"
-
 #include "vtkMultiProcessController.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -38,8 +37,8 @@ public:
   bool AreSeveral() const { return this->GetNumber() > 1; }
   bool IsFirst() const { return this->GetRank() == 0; }
 
-  /** Runs what the processes do together. Where that throws in one process, it throws Interrupted
-   * in the others, at the next time that they wait for each other. */
+  /** Runs what the processes do together. Where that throws in one process, it throws
+   * std::runtime_error in the others, at the next time that they wait for each other. */
   template <typename Work>
   void Together(const Work& work) const
   {
@@ -63,6 +62,9 @@ public:
   /** Each value by those of all processes: their sum, the smallest, the largest. */
   void Sum(std::vector<std::uint64_t>& values) const;
   std::uint64_t Sum(std::uint64_t value) const;
+  /** Whether something is true in all processes; throws std::invalid_argument, with this problem,
+   * where it is in some of them only. */
+  bool IsTrueInAll(bool here, const char* problem) const;
   void Min(double* values, std::size_t count) const;
   void Max(double* values, std::size_t count) const;
   ///@}
@@ -85,8 +87,9 @@ public:
 
 private:
   /** What all processes know of. */
-  struct FailedElsewhere : Interrupted
+  struct FailedElsewhere : std::runtime_error
   {
+    using std::runtime_error::runtime_error;
   };
   using Words = std::vector<unsigned long long>;
 

@@ -44,7 +44,8 @@ QueryBlocks::QueryBlocks(vtkDataObject* points, vtkDataObject* queries,
   , IsNested(this->Composite != nullptr && vtkDataObjectTree::SafeDownCast(points) != nullptr)
   , Ports(OctreePass::GetPorts(outputVector))
 {
-  if (this->Composite == nullptr)
+  if (!processes.IsTrueInAll(this->Composite != nullptr,
+        "Some processes have blocks of query points, others have not; give all of them blocks."))
   {
     this->Blocks.push_back(vtkDataSet::SafeDownCast(queries));
     return;

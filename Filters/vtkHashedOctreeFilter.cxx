@@ -2,7 +2,6 @@
 #include "vtkHashedOctreeFilter.h"
 
 #include "AlgorithmOptions.h"
-#include "AlgorithmProblems.h"
 #include "FieldValue.h"
 #include "NodeList.h"
 #include "OctreeCells.h"
@@ -169,8 +168,8 @@ int vtkHashedOctreeFilter::GetTypeOfOutput(int port, vtkInformationVector** vtkN
 int vtkHashedOctreeFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return RunReportingProblems(this, outputVector,
-    [&]
+  return RunTogether(this, request, outputVector,
+    [&](const ProcessGroup& processes)
     {
       std::optional<Box<3>> root;
       if (this->UseCustomBounds)
@@ -178,13 +177,8 @@ int vtkHashedOctreeFilter::RequestData(
         const double* b = this->CustomBounds;
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
-      const ProcessGroup processes = OctreePass::FindProcesses(this, request, outputVector);
-      processes.Together(
-        [&]
-        {
-          OctreePass(this, processes, root)
-            .Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector, Run(this));
-        });
+      OctreePass(this, processes, root)
+        .Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector, Run(this));
     });
 }
 

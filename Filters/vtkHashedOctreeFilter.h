@@ -52,22 +52,21 @@
  *
  * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite,
  * or further from 0 than a quarter of the largest double (4.4e307), are left out with one warning.
- * An input without points, or without one that can be used, is an error, but for an empty block of a
- * composite one, and for an empty piece whose other pieces are not of this group of processes (see
- * vtkHashedOctreeAlgorithm). The result, but for BuildSeconds, does not depend on the number of
- * threads (vtkSMPTools). Progress is reported throughout; an abort
- * is heeded within a tenth of a second and leaves all outputs empty (VTK keeps AbortExecute set:
- * reset it before the next update). Points with the same cell at MaxDepth share a leaf, however
- * many they are. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
- * internal nodes.
+ * An input without points, or without one that can be used, is an error, but for an empty block of
+ * a composite one, and for an empty piece whose other pieces are not of this group of processes
+ * (see vtkHashedOctreeAlgorithm). The result, but for BuildSeconds, does not depend on the number
+ * of threads (vtkSMPTools). Progress is reported throughout; an abort is heeded within a tenth of a
+ * second and leaves all outputs empty (VTK keeps AbortExecute set: reset it before the next
+ * update). Points with the same cell at MaxDepth share a leaf, however many they are. At most 2^32
+ * - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes.
  *
  * Several processes that have the pieces of a data set make one tree together, of which each has a
  * part with about as many points. Together their outputs hold each node once, with the values that
  * one process would give it, in the order above within each process. A hyper tree grid holds the
- * nodes around a process's own, too, with their leaves masked. VTK's generator of ghost cells, which
- * takes such grids for pieces with trees of their own, waits for ever. The tables are those of the
- * whole, in the first process; the others have tables without columns. Field data are of the whole,
- * in all: TreeBytes is the sum, BuildSeconds the longest time.
+ * nodes around a process's own, too, with their leaves masked. VTK's generator of ghost cells,
+ * which takes such grids for pieces with trees of their own, waits for ever. The tables are those
+ * of the whole, in the first process; the others have tables without columns. Field data are of the
+ * whole, in all: TreeBytes is the sum, BuildSeconds the longest time.
  */
 
 #ifndef vtkHashedOctreeFilter_h

@@ -2,7 +2,6 @@
 #include "vtkHashedOctreeLocateFilter.h"
 
 #include "AlgorithmOptions.h"
-#include "AlgorithmProblems.h"
 #include "FieldValue.h"
 #include "LocatedQueries.h"
 #include "OctreePass.h"
@@ -102,21 +101,12 @@ public:
   }
 
   /** Ports 0 and 1. Throws std::exception with what to tell the user, and Interrupted. */
-  void Execute(vtkDataObject* points, vtkDataObject* queries, vtkInformation* request,
-    vtkInformationVector* outputVector)
-  {
-    const ProcessGroup processes = OctreePass::FindProcesses(this->Self, request, outputVector);
-    processes.Together(
-      [&] { this->ExecuteWith(processes, points, queries, request, outputVector); });
-  }
-
-private:
-  void ExecuteWith(const ProcessGroup& processes, vtkDataObject* points, vtkDataObject* queries,
+  void Execute(const ProcessGroup& processes, vtkDataObject* points, vtkDataObject* queries,
     vtkInformation* request, vtkInformationVector* outputVector)
   {
     const QueryBlocks blocks(points, queries, outputVector, processes);
     OctreePass pass(this->Self, processes);
-    this->IsPiece = OctreePass::IsPiece(request, outputVector);
+    this->IsPiece = IsPieceRequested(request, outputVector);
     std::size_t all = 0;
     for (vtkDataSet* block : blocks.Get())
     {
@@ -131,14 +121,17 @@ private:
       [&](const auto& octree, const Execution& execution)
       { return this->LocateBlocks(octree, blocks.Get(), execution); });
     blocks.FillOutputs();
-    if (this->FiniteQueries < all)
+    const std::size_t allOfAll = pass.GetProcesses().Sum(all);
+    const std::size_t finiteOfAll = pass.GetProcesses().Sum(this->FiniteQueries);
+    if (finiteOfAll < allOfAll && pass.GetProcesses().IsFirst())
     {
       vtkWarningWithObjectMacro(
-        this->Self, << all - this->FiniteQueries << " of " << all
+        this->Self, << allOfAll - finiteOfAll << " of " << allOfAll
                     << " query points have a coordinate that is not finite; they are not located.");
     }
   }
 
+private:
   /** Whether no others than these processes have pieces of the inputs. */
   bool HasAll(const ProcessGroup& processes) const
   {
@@ -158,8 +151,11 @@ private:
     double begin = OctreePass::BuildShare;
     for (vtkDataSet* block : blocks)
     {
-      const auto ofBlock =
-        this->Locate(octree, search, block, execution.Part(begin, begin + share));
+      // What another process has, and this one, alone, searches nothing for.
+      const bool isElsewhere = block == nullptr && !octree.Processes.AreSeveral();
+      const auto ofBlock = isElsewhere
+        ? OctreePass::Outputs(NumberOfPorts)
+        : this->Locate(octree, search, block, execution.Part(begin, begin + share));
       outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
       begin += share;
     }
@@ -338,10 +334,10 @@ int vtkHashedOctreeLocateFilter::RequestUpdateExtent(
 int vtkHashedOctreeLocateFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return RunReportingProblems(this, outputVector,
-    [&]
+  return RunTogether(this, request, outputVector,
+    [&](const ProcessGroup& processes)
     {
-      Run(this).Execute(vtkDataObject::GetData(inputVector[0]),
+      Run(this).Execute(processes, vtkDataObject::GetData(inputVector[0]),
         vtkDataObject::GetData(inputVector[1]), request, outputVector);
     });
 }

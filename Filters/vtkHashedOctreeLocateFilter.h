@@ -65,10 +65,10 @@
  * for a piece whose other pieces are not of this group of processes.
  *
  * Several processes that have the pieces of both inputs make one tree together, and send each query
- * to the process that has its part of the tree. Each gives its own queries back, with what they find
- * in the whole tree; LeafId is then the number of the cell among those of all processes, by depth,
- * then by key. The tables are of the queries of all, in the first process; queries in blocks at one
- * place of their composite data sets are of one block. Field data are of the whole, in all.
+ * to the process that has its part of the tree. Each gives its own queries back, with what they
+ * find in the whole tree; LeafId is then the number of the cell among those of all processes, by
+ * depth, then by key. The tables are of the queries of all, in the first process; queries in blocks
+ * at one place of their composite data sets are of one block. Field data are of the whole, in all.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h

@@ -3,7 +3,6 @@
 
 #include "AdjacentSearch.h"
 #include "AlgorithmOptions.h"
-#include "AlgorithmProblems.h"
 #include "FieldValue.h"
 #include "InRadiusSearch.h"
 #include "OctreeCells.h"
@@ -293,21 +292,16 @@ int vtkHashedOctreeNeighborsFilter::GetTypeOfOutput(
 int vtkHashedOctreeNeighborsFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return RunReportingProblems(this, outputVector,
-    [&]
+  return RunTogether(this, request, outputVector,
+    [&](const ProcessGroup& processes)
     {
-      const ProcessGroup processes = OctreePass::FindProcesses(this, request, outputVector);
-      processes.Together(
-        [&]
-        {
-          Run run(this);
-          run.RequireQuery();
-          OctreePass pass(this, processes);
-          pass.Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
-            [&run](const auto& octree, const Execution& execution)
-            { return run.Process(octree, execution); });
-          run.CheckQueryLeaves(OctreePass::IsPiece(request, outputVector), pass.GetProcesses());
-        });
+      Run run(this);
+      run.RequireQuery();
+      OctreePass pass(this, processes);
+      pass.Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
+        [&run](const auto& octree, const Execution& execution)
+        { return run.Process(octree, execution); });
+      run.CheckQueryLeaves(IsPieceRequested(request, outputVector), pass.GetProcesses());
     });
 }
 

@@ -10,6 +10,12 @@ namespace hashedoctree
 namespace
 {
 template <typename Key>
+bool IsBefore(Key a, Key b)
+{
+  return a < b;
+}
+
+template <typename Key>
 bool IsAfter(Key a, Key b)
 {
   return b < a;
@@ -45,7 +51,7 @@ private:
   std::array<std::uint64_t, Key::MaxDepth + 1> KeysBelow{}; ///< In its node at a depth.
 };
 
-/** The first `count` keys in an order, sorted by it. */
+/** The first `count` keys in an order, or all, in no order. */
 template <typename Keys, typename Order>
 Keys TakeFirst(Keys keys, std::size_t count, const Order& order)
 {
@@ -55,7 +61,6 @@ Keys TakeFirst(Keys keys, std::size_t count, const Order& order)
     std::nth_element(keys.begin(), end, keys.end(), order);
     keys.resize(count);
   }
-  std::sort(keys.begin(), keys.end(), order);
   return keys;
 }
 }
@@ -154,37 +159,25 @@ std::vector<std::uint64_t> CurveDivision<Dim>::CountInNodesAcross(
 }
 
 template <int Dim>
-typename CurveDivision<Dim>::Keys CurveDivision<Dim>::FindFirst(Keys keys, std::size_t count)
+std::vector<typename CurveDivision<Dim>::Keys> CurveDivision<Dim>::GetOverlaps(std::size_t part,
+  const Keys& keys, const std::vector<std::uint64_t>& pointsOfParts, std::size_t overlap)
 {
-  return TakeFirst(std::move(keys), count, [](Key a, Key b) { return a < b; });
-}
-
-template <int Dim>
-typename CurveDivision<Dim>::Keys CurveDivision<Dim>::FindLast(Keys keys, std::size_t count)
-{
-  keys = TakeFirst(std::move(keys), count, IsAfter<Key>);
-  std::reverse(keys.begin(), keys.end());
-  return keys;
-}
-
-template <int Dim>
-typename CurveDivision<Dim>::Keys CurveDivision<Dim>::GetAround(std::size_t part,
-  const std::vector<Keys>& firstOfParts, const std::vector<Keys>& lastOfParts, std::size_t count)
-{
-  Keys before;
-  for (std::size_t other = 0; other < part; ++other)
+  std::vector<Keys> overlaps(pointsOfParts.size());
+  const Keys last = TakeFirst(keys, overlap, IsAfter<Key>);
+  std::uint64_t missing = overlap; // What the parts between do not have.
+  for (std::size_t after = part + 1; after < overlaps.size() && missing > 0; ++after)
   {
-    before.insert(before.end(), lastOfParts[other].begin(), lastOfParts[other].end());
+    overlaps[after] = TakeFirst(last, missing, IsAfter<Key>);
+    missing -= std::min(missing, pointsOfParts[after]);
   }
-  Keys around(
-    before.end() - static_cast<std::ptrdiff_t>(std::min(count, before.size())), before.end());
-  const std::size_t most = around.size() + count;
-  for (std::size_t other = part + 1; other < firstOfParts.size(); ++other)
+  const Keys first = TakeFirst(keys, overlap, IsBefore<Key>);
+  missing = overlap;
+  for (std::size_t before = part; before-- > 0 && missing > 0;)
   {
-    around.insert(around.end(), firstOfParts[other].begin(), firstOfParts[other].end());
+    overlaps[before] = TakeFirst(first, missing, IsBefore<Key>);
+    missing -= std::min(missing, pointsOfParts[before]);
   }
-  around.resize(std::min(most, around.size()));
-  return around;
+  return overlaps;
 }
 
 template class CurveDivision<1>;

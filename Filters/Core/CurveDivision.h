@@ -62,14 +62,11 @@ public:
 
   /** How many points a builder needs on either side of its part. */
   static std::size_t CountOverlap(std::size_t maxPointsPerLeaf) { return maxPointsPerLeaf + 1; }
-  /** The first and the last of some keys along the curve, in order: `count` of each or, if there
-   * are not so many, all. O(n). */
-  static Keys FindFirst(Keys keys, std::size_t count);
-  static Keys FindLast(Keys keys, std::size_t count);
-  /** The keys on both sides of a part: given what FindFirst() and FindLast() say of each part, the
-   * last `count` of the parts before it, then the first `count` of those after it. */
-  static Keys GetAround(std::size_t part, const std::vector<Keys>& firstOfParts,
-    const std::vector<Keys>& lastOfParts, std::size_t count);
+  /** Those keys of a part that the builders of each other part need, which have `overlap` next to
+   * their own ones on either side if there are so many; given how many points each part has. O(n),
+   * and O(overlap) for each part that needs some. */
+  static std::vector<Keys> GetOverlaps(std::size_t part, const Keys& keys,
+    const std::vector<std::uint64_t>& pointsOfParts, std::size_t overlap);
 
 private:
   Keys FirstOfPart; ///< Ascending; of the first part that of the curve.

@@ -262,8 +262,13 @@ for kind in [vtkMultiBlockDataSet, vtkPartitionedDataSet]:
             expect_same_field_data(piece[1].GetBlock(i), expected[1])
 
 # Other blocks in each process are other data sets: each has its own trees.
-mine = make_blocks(vtkPartitionedDataSet, *[make_points(cube[i::PROCESSES])
-                                            for i in range(rank + 1)])
+def mine_of(blocks):
+    """So many partitions."""
+    return make_blocks(vtkPartitionedDataSet,
+                       *[make_points(cube[i::PROCESSES]) for i in range(blocks)])
+
+
+mine = mine_of(rank + 1)
 piece = run(mine, PROCESSES)
 whole = run(mine, 1)
 assert piece[0].GetNumberOfPartitions() == rank + 1
@@ -275,6 +280,10 @@ mine = [make_points(cube[:90])] if rank == 3 else [make_points(cube[:0])] * (ran
 piece = run(make_blocks(vtkPartitionedDataSet, *mine), PROCESSES,
             queries=make_points(queries[:40 if rank < 2 else 0]), **locating)
 assert (piece[1].GetNumberOfBlocks() > 0 and piece[1].GetBlock(0) is not None) == (rank == 3)
+blocks = [make_points(cube[:30]) if i == rank else None for i in range(PROCESSES)]
+piece = run(mine_of(rank + 1), PROCESSES, queries=make_blocks(vtkMultiBlockDataSet, *blocks),
+            **locating)
+assert [i for i in range(PROCESSES) if piece[1].GetBlock(i) is not None] == [rank]
 
 # So it is without a controller.
 octree = vtkHashedOctreeFilter()
@@ -290,11 +299,27 @@ piece = run(make_points(cube[:0]), PROCESSES, errors)
 assert len(errors) == 1 and "The input has no points" in errors[0], errors
 assert piece[0].GetNumberOfCells() == piece[1].GetNumberOfRows() == 0
 octree = vtkHashedOctreeFilter()
+mine = make_points(cube[rank::PROCESSES])
 octree.SetInputData(mine)
-if rank == 2:
-    octree.AddObserver("ProgressEvent", lambda *_: octree.SetAbortExecute(1))
+errors = []
+octree.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
+observer = octree.AddObserver("ProgressEvent", lambda *_: octree.SetAbortExecute(rank == 2))
 octree.UpdatePiece(rank, PROCESSES, 0)
-assert octree.GetOutput().GetNumberOfCells() == 0
+assert octree.GetOutput().GetNumberOfCells() == 0 and bool(errors) == (rank != 2), errors
+octree.RemoveObserver(observer)
+octree.SetAbortExecute(0)
+octree.UpdatePiece(rank, PROCESSES, 0)
+expect_same_tree([octree.GetOutputDataObject(port) for port in range(3)],
+                 run(make_points(cube), 1))
+
+# Blocks in some processes and none in others.
+errors = []
+run(mine if rank else make_blocks(vtkMultiBlockDataSet, mine), PROCESSES, errors)
+assert len(errors) == 1 and "give all of them blocks" in errors[0], errors
+errors = []
+run(mine, PROCESSES, errors, queries=mine if rank else make_blocks(vtkMultiBlockDataSet, mine),
+    **locating)
+assert len(errors) == 1 and "give all of them blocks" in errors[0], errors
 
 
 def run_proxy(source, cell_type, **properties):

@@ -120,17 +120,22 @@ private:
   void Build(const hashedoctree::Octree<Dim>& whole)
   {
     const std::size_t overlap = Division::CountOverlap(whole.GetOptions().MaxPointsPerLeaf);
-    std::vector<CurveKeys<Dim>> first;
-    std::vector<CurveKeys<Dim>> last;
+    std::vector<std::uint64_t> points;
     for (const CurveKeys<Dim>& keys : this->Own)
     {
-      first.push_back(Division::FindFirst(keys, overlap));
-      last.push_back(Division::FindLast(keys, overlap));
+      points.push_back(keys.size());
     }
+    std::vector<CurveKeys<Dim>> all = this->Own;
     for (std::size_t part = 0; part < this->Own.size(); ++part)
     {
-      CurveKeys<Dim> keys = Division::GetAround(part, first, last, overlap);
-      keys.insert(keys.end(), this->Own[part].begin(), this->Own[part].end());
+      const auto given = Division::GetOverlaps(part, this->Own[part], points, overlap);
+      for (std::size_t other = 0; other < all.size(); ++other)
+      {
+        all[other].insert(all[other].end(), given[other].begin(), given[other].end());
+      }
+    }
+    for (const CurveKeys<Dim>& keys : all)
+    {
       this->Trees.push_back(std::make_unique<hashedoctree::Octree<Dim>>(
         whole.GetGrid(), keys, whole.GetOptions(), hashedoctree::Execution()));
     }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PieceRequest_h
+#define PieceRequest_h
+
+#include "AlgorithmProblems.h"
+#include "ProcessGroup.h"
+
+#include "vtkHashedOctreeAlgorithm.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+namespace hashedoctree
+{
+// What a REQUEST_DATA says of the pieces of a distributed data set. Private to the module.
+
+/** Whether other processes, or other updates, have the rest of it: what the output says that the
+ * request came from. */
+bool IsPieceRequested(vtkInformation* request, vtkInformationVector* outputVector);
+
+/** Those that have the other pieces: of the algorithm's controller when as many pieces are asked
+ * for as it has processes, and of each its own, else this one alone. */
+ProcessGroup FindProcesses(
+  vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputVector);
+
+/** Makes the next update execute again. */
+void ForgetOutputs(vtkInformationVector* outputVector);
+
+/** RunReportingProblems() of body(processes), which they run together. After a problem of one all
+ * of them execute again at the next update, since one that was aborted does. */
+template <typename Body>
+int RunTogether(vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request,
+  vtkInformationVector* outputVector, const Body& body)
+{
+  const ProcessGroup processes = FindProcesses(algorithm, request, outputVector);
+  bool isDone = false;
+  const int result = RunReportingProblems(algorithm, outputVector,
+    [&]
+    {
+      processes.Together([&] { body(processes); });
+      isDone = true;
+    });
+  if (!isDone && processes.AreSeveral())
+  {
+    ForgetOutputs(outputVector);
+  }
+  return result;
+}
+}
+
+#endif
