@@ -21,12 +21,13 @@
  * when as many pieces are asked for as there are processes, and of each the one of its rank, as
  * ParaView does. All of them have to update the filter then, and what changes in one, be it the
  * filter or its input, has to be Modified() in all: each waits for the others. What fails in one,
- * or is aborted there, ends it in all, with an error in the others. The points of all pieces are in the tree, those at one place as
- * often as they are there, but for points that VTK marks as another piece's (vtkGhostType has
- * DUPLICATEPOINT), which are that one's. So where pieces share a layer of points mark it, as
- * vtkGenerateGlobalIds does. Of composite data sets the blocks at one place are pieces of one, if
- * all processes have the same structure; otherwise, and without such a group, each process makes
- * trees of its own points.
+ * or is aborted there, ends it in all, with an error in the others.
+ *
+ * The points of all pieces are in the tree, those at one place as often as they are there, but for
+ * points that VTK marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's.
+ * So where pieces share a layer of points mark it, as vtkGenerateGlobalIds does. Of composite data
+ * sets the blocks at one place are pieces of one, if all processes have the same structure;
+ * otherwise, and without such a group, each process makes trees of its own points.
  */
 
 #ifndef vtkHashedOctreeAlgorithm_h

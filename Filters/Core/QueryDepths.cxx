@@ -12,7 +12,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t ChunkSize = 4096; // Positions that a thread does at a time.
+constexpr std::size_t QueriesOfChunk = 4096; // Positions that a thread does at a time.
 }
 
 template <int Dim, typename Points>
@@ -20,7 +20,7 @@ std::vector<MortonKey<Dim>> GetQueryKeys(
   const Grid<Dim>& grid, Points queries, const Execution& execution)
 {
   std::vector<MortonKey<Dim>> keys(queries.Count);
-  execution.ForChunks(queries.Count, ChunkSize,
+  execution.ForChunks(queries.Count, QueriesOfChunk,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (std::size_t block = first; block < last; block += MostKeysAtOnce)
@@ -42,7 +42,7 @@ DepthHistogram MeasureQueryDepths(
 {
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
   const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
-  const auto chunks = execution.MapChunks(keys.size(), ChunkSize,
+  const auto chunks = execution.MapChunks(keys.size(), QueriesOfChunk,
     [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};
