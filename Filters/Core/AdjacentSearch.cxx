@@ -4,7 +4,6 @@
 #include "NeighborBuffer.h"
 #include "NeighborCells.h"
 #include "NeighborDirection.h"
-#include "RangeCount.h"
 
 namespace hashedoctree
 {
@@ -132,8 +131,6 @@ void FindAdjacentLeaves(const Octree<Dim>& tree, MortonKey<Dim> node, int startD
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template void FindAdjacentLeaves(                                                                \
     const Octree<Dim>&, MortonKey<Dim>, int, std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants); \
-  template void FindAdjacentLeaves(const Octree<Dim>&, MortonKey<Dim>, int,                        \
-    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);                                        \
   template void FindAdjacentLeaves(const Octree<Dim>&, MortonKey<Dim>, int,                        \
     std::vector<Neighbor<Dim>>&, RangeCount<Dim>&, EmptyOctants);
 HASHEDOCTREE_INSTANTIATE(1)

@@ -4,6 +4,7 @@
 
 #include "DirectSearch.h"
 #include "Neighbor.h"
+#include "RangeCount.h"
 
 #include <vector>
 
@@ -40,11 +41,21 @@ namespace hashedoctree
  * parent that turns out to have no children, the children that case 2 looks at, and the nodes that
  * the direct searches of case 3 examine. Allocates only where `found` grows. Thread safe.
  *
- * Instantiated for NoCount, NodeCount and RangeCount.
+ * Instantiated for NoCount and RangeCount.
  */
 template <int Dim, typename Count>
 void FindAdjacentLeaves(const Octree<Dim>& tree, MortonKey<Dim> node, int startDepth,
   std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading = EmptyOctants::Leaves);
+
+/** FindAdjacentLeaves() that counts all nodes. */
+template <int Dim>
+void FindAdjacentLeaves(const Octree<Dim>& tree, MortonKey<Dim> node, int startDepth,
+  std::vector<Neighbor<Dim>>& found, NodeCount& count, EmptyOctants reading = EmptyOctants::Leaves)
+{
+  RangeCount<Dim> all;
+  FindAdjacentLeaves(tree, node, startDepth, found, all, reading);
+  count.Nodes += all.GetNodes();
+}
 
 /** FindAdjacentLeaves() without counting. */
 template <int Dim>

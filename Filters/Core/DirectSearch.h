@@ -41,6 +41,7 @@ struct FoundLeaf
 /** Counts nothing, and costs nothing. */
 struct NoCount
 {
+  /** As of RangeCount. */
   template <int Dim>
   void Enter(MortonKey<Dim>)
   {
@@ -53,11 +54,6 @@ struct NoCount
 struct NodeCount
 {
   std::uint64_t Nodes = 0;
-  /** A neighbour search tells on behalf of which node it examines the next ones. */
-  template <int Dim>
-  void Enter(MortonKey<Dim>)
-  {
-  }
   void AddNode() { ++this->Nodes; }
   void AddNodes(int count) { this->Nodes += static_cast<std::uint64_t>(count); }
 };

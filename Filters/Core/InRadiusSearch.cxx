@@ -3,7 +3,6 @@
 
 #include "NeighborBuffer.h"
 #include "NodeBall.h"
-#include "RangeCount.h"
 
 #include <type_traits>
 
@@ -221,8 +220,6 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
     std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants);                                          \
-  template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
-    std::vector<Neighbor<Dim>>&, NodeCount&, EmptyOctants);                                        \
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
     std::vector<Neighbor<Dim>>&, RangeCount<Dim>&, EmptyOctants);
 HASHEDOCTREE_INSTANTIATE(1)

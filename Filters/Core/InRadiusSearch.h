@@ -4,6 +4,7 @@
 
 #include "DirectSearch.h"
 #include "Neighbor.h"
+#include "RangeCount.h"
 
 #include <vector>
 
@@ -33,12 +34,22 @@ namespace hashedoctree
  * nodes that the direct searches examine. O(nodes that meet the ball, and their children), plus
  * O(MaxDepth). Allocates only where `found` grows. Thread safe.
  *
- * Instantiated for NoCount, for AVX2, too (which one runs is found at run time), and for NodeCount
- * and RangeCount, only as it runs on every machine.
+ * Instantiated for NoCount, for AVX2, too (which one runs is found at run time), and for
+ * RangeCount, only as it runs on every machine.
  */
 template <int Dim, typename Count>
 void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
   std::vector<Neighbor<Dim>>& found, Count& count, EmptyOctants reading = EmptyOctants::Leaves);
+
+/** FindLeavesInRadius() that counts all nodes. */
+template <int Dim>
+void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double radius, int startDepth,
+  std::vector<Neighbor<Dim>>& found, NodeCount& count, EmptyOctants reading = EmptyOctants::Leaves)
+{
+  RangeCount<Dim> all;
+  FindLeavesInRadius(tree, node, radius, startDepth, found, all, reading);
+  count.Nodes += all.GetNodes();
+}
 
 /** FindLeavesInRadius() without counting. */
 template <int Dim>

@@ -6,17 +6,20 @@
 
 namespace hashedoctree
 {
-/** Counts the nodes that a search examines on behalf of nodes in a range of the curve: those of
- * ranges that divide the curve add up to what NodeCount counts. */
+/** Counts the nodes that a neighbour search examines on behalf of nodes in a range of the curve:
+ * those of ranges that divide the curve add up to those of the whole curve. */
 template <int Dim>
 class RangeCount
 {
 public:
+  /** All of them. */
+  RangeCount() = default;
   explicit RangeCount(const CurveRange<Dim>& range)
     : Range(range)
   {
   }
 
+  /** The next nodes are examined on behalf of this one. */
   void Enter(MortonKey<Dim> node) { this->Counts = this->Range.Has(node); }
   void AddNode() { this->AddNodes(1); }
   void AddNodes(int count) { this->Nodes += this->Counts ? static_cast<std::uint64_t>(count) : 0; }

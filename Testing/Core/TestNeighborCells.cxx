@@ -2,6 +2,7 @@
 #include "NeighborCells.h"
 
 #include "Dimensions.h"
+#include "RangeCount.h"
 #include "SampleTree.h"
 
 #include <set>
@@ -55,7 +56,7 @@ TYPED_TEST(TestNeighborCells, EachCellIsReachedOnceOrInALeaf)
         }
         std::multiset<std::uint64_t> blocks;
         std::multiset<std::uint64_t> leaves;
-        NodeCount count;
+        RangeCount<dim> count;
         ReachCells(
           made.Tree, cells, 2, EmptyOctants::Leaves, count,
           [&](unsigned corner, Key key, const auto& entry)
@@ -76,7 +77,7 @@ TYPED_TEST(TestNeighborCells, EachCellIsReachedOnceOrInALeaf)
           expectedCount +=
             static_cast<std::uint64_t>(2 + std::abs(Key(leaf).GetDepth() - std::min(2, depth)));
         }
-        ASSERT_EQ(count.Nodes, expectedCount);
+        ASSERT_EQ(count.GetNodes(), expectedCount);
       }
     }
   }
@@ -87,11 +88,11 @@ TEST(TestNeighborCellsFacts, EmptyCellsOfASparseTreeAreNoLeaves)
   const SampleTree<2, double> made(PointSample<2, double>{ "corners", { 0.0, 0.0, 1.0, 1.0 } });
   const NeighborCells<2> cells{ { 1, 1 }, { 2, 2 }, 2 };
   std::vector<std::uint64_t> leaves;
-  NodeCount count;
+  RangeCount<2> count;
   ReachCells(
     made.Tree, cells, 0, EmptyOctants::Missing, count,
     [](unsigned, MortonKey<2>, const auto&) { ADD_FAILURE(); },
     [&leaves](const FoundLeaf<2>& leaf) { leaves.push_back(leaf.Key.GetValue()); });
   EXPECT_EQ(leaves, (std::vector<std::uint64_t>{ 0b100, 0b111 }));
-  EXPECT_EQ(count.Nodes, 4U * 3U);
+  EXPECT_EQ(count.GetNodes(), 4U * 3U);
 }
