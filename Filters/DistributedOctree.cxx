@@ -4,6 +4,8 @@
 #include "CurveDivision.h"
 #include "RangeDepths.h"
 
+#include <map>
+#include <stdexcept>
 #include <utility>
 
 namespace hashedoctree
@@ -14,17 +16,6 @@ namespace
 constexpr double DealingShare = 0.2;
 constexpr double TreeShare = 0.9;
 
-template <typename T>
-std::vector<T> Join(const std::vector<std::vector<T>>& parts)
-{
-  std::vector<T> all;
-  for (const std::vector<T>& part : parts)
-  {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
-}
-
 template <int Dim>
 CurveDivision<Dim> DivideCurve(
   const ProcessGroup& processes, const std::vector<MortonKey<Dim>>& keys, int maxDepth)
@@ -32,8 +23,13 @@ CurveDivision<Dim> DivideCurve(
   const std::uint64_t all = processes.Sum(keys.size());
   const std::size_t number = processes.GetNumber();
   RequirePointIndices(all);
+  if (all == 0)
+  {
+    throw std::invalid_argument("All points are marked (vtkGhostType) as those of other processes, "
+                                "and no process has them; mend the input.");
+  }
   const auto sample = CurveDivision<Dim>::Sample(keys, all, number);
-  return CurveDivision<Dim>(Join(processes.Gather(sample)), number, maxDepth);
+  return CurveDivision<Dim>(processes.Gather(sample).Values, number, maxDepth);
 }
 
 /** The keys of this process's part, given those of its points. */
@@ -41,9 +37,9 @@ template <int Dim>
 std::vector<MortonKey<Dim>> SendToParts(const ProcessGroup& processes,
   const CurveDivision<Dim>& division, std::vector<MortonKey<Dim>> keys)
 {
-  const std::vector<std::vector<MortonKey<Dim>>> dealt = division.Deal(keys);
-  keys = {};
-  return Join(processes.Exchange(dealt));
+  const Parted<MortonKey<Dim>> dealt = division.Deal(keys);
+  std::vector<MortonKey<Dim>>().swap(keys); // They are many.
+  return processes.Exchange(dealt).Values;
 }
 
 /** Adds to the keys of this process's part those on both sides of it. */
@@ -54,9 +50,9 @@ void AddOverlap(
   std::vector<std::uint64_t> points(processes.GetNumber(), 0);
   points[processes.GetRank()] = keys.size();
   processes.Sum(points);
-  const auto around = Join(processes.Exchange(
-    CurveDivision<Dim>::GetOverlaps(processes.GetRank(), keys, points, overlap)));
-  keys.insert(keys.end(), around.begin(), around.end());
+  const auto around =
+    processes.Exchange(CurveDivision<Dim>::GetOverlaps(processes.GetRank(), keys, points, overlap));
+  keys.insert(keys.end(), around.Values.begin(), around.Values.end());
 }
 
 /** Adds up what each process has counted, down to the deepest leaf of all. */
@@ -69,9 +65,7 @@ DepthHistogram Sum(const ProcessGroup& processes, DepthHistogram histogram, std:
 
 DepthCounts SumCounts(const ProcessGroup& processes, const DepthCounts& counts)
 {
-  auto depths = static_cast<double>(counts.Leaves.size());
-  processes.Max(&depths, 1);
-  const auto ofAll = static_cast<std::size_t>(depths);
+  const auto ofAll = static_cast<std::size_t>(processes.Max(counts.Leaves.size()));
   return { Sum(processes, counts.Leaves, ofAll), Sum(processes, counts.EmptyLeaves, ofAll),
     Sum(processes, counts.Points, ofAll) };
 }

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <functional>
 #include <iterator>
-#include <utility>
+#include <vector>
 
 namespace hashedoctree
 {
@@ -75,7 +75,7 @@ struct SentQuery
 template <int Dim>
 LocatedQueries<Dim>::LocatedQueries(
   vtkDataSet* queries, const PointsOctree<Dim>& octree, const Execution& execution)
-  : Octree(octree)
+  : Tree(octree)
 {
   vtkNew<vtkPolyData> nothing;
   const PointsAdaptor points(
@@ -88,21 +88,20 @@ LocatedQueries<Dim>::LocatedQueries(
     });
   this->Finite = this->Own.size() -
     static_cast<std::size_t>(std::count(this->Own.begin(), this->Own.end(), MortonKey<Dim>(0)));
-  this->Searched = octree.Processes.AreSeveral()
-    ? octree.Processes.Exchange(octree.Division.Deal(TakeFinite(this->Own)))
-    : std::vector<Keys>{ std::move(this->Own) };
+  if (octree.Processes.AreSeveral())
+  {
+    this->Taken = octree.Processes.Exchange(octree.Division.Deal(TakeFinite(this->Own)));
+  }
 }
 
 template <int Dim>
 DepthHistogram LocatedQueries<Dim>::MeasureDepths(const Execution& execution) const
 {
-  DepthHistogram depths(this->Octree.Counts.Leaves.size(), 0);
-  for (const Keys& keys : this->Searched)
-  {
-    const DepthHistogram ofKeys = MeasureQueryDepths(this->Octree.Tree, keys, execution);
-    std::transform(ofKeys.begin(), ofKeys.end(), depths.begin(), depths.begin(), std::plus<>());
-  }
-  this->Octree.Processes.Sum(depths);
+  const bool isAlone = !this->Tree.Processes.AreSeveral();
+  DepthHistogram depths =
+    MeasureQueryDepths(this->Tree.Tree, isAlone ? this->Own : this->Taken.Values, execution);
+  depths.resize(this->Tree.Counts.Leaves.size());
+  this->Tree.Processes.Sum(depths);
   return depths;
 }
 
@@ -110,12 +109,12 @@ template <int Dim>
 auto LocatedQueries<Dim>::Search(
   const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const -> Costs
 {
-  if (this->Octree.Processes.AreSeveral())
+  if (this->Tree.Processes.AreSeveral())
   {
     return this->SearchWithOthers(search, output, execution);
   }
   const QueryArrays<Dim> arrays(output);
-  return SearchAll(this->Searched.front(), search, execution,
+  return SearchAll(this->Own, search, execution,
     [&arrays](std::size_t i, const FoundQuery<Dim>& found)
     { arrays.Set(static_cast<vtkIdType>(i), found); });
 }
@@ -152,36 +151,36 @@ auto LocatedQueries<Dim>::SearchWithOthers(
   const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const -> Costs
 {
   constexpr std::size_t words = SentQuery<Dim>::Words;
-  std::vector<std::vector<std::uint64_t>> answers;
-  Costs costs{};
-  for (const Keys& keys : this->Searched)
+  const Keys& taken = this->Taken.Values;
+  Parted<std::uint64_t> answers{ std::vector<std::uint64_t>(words * taken.size()),
+    this->Taken.Counts };
+  for (std::size_t& count : answers.Counts)
   {
-    std::vector<std::uint64_t> toOne(words * keys.size());
-    Add(costs,
-      SearchAll(keys, search, execution,
-        [&toOne](std::size_t i, const FoundQuery<Dim>& found)
-        { SentQuery<Dim>::Write(found, &toOne[words * i]); }));
-    answers.push_back(std::move(toOne));
+    count *= words;
   }
-  answers = this->Octree.Processes.Exchange(answers);
+  const Costs costs = SearchAll(taken, search, execution,
+    [&answers](std::size_t i, const FoundQuery<Dim>& found)
+    { SentQuery<Dim>::Write(found, &answers.Values[words * i]); });
+  answers = this->Tree.Processes.Exchange(answers);
 
   const QueryArrays<Dim> arrays(output);
-  std::vector<std::size_t> next(answers.size(), 0); // Each comes in the order of the keys.
+  std::vector<std::size_t> next = answers.GetBegins(); // Each comes in the order of the keys.
   for (std::size_t i = 0; i < this->Own.size(); ++i)
   {
     FoundQuery<Dim> found;
     if (this->Own[i] != MortonKey<Dim>(0))
     {
-      const std::size_t part = this->Octree.Division.FindPart(this->Own[i]);
-      found = SentQuery<Dim>::Read(&answers[part][next[part]]);
+      const std::size_t part = this->Tree.Division.FindPart(this->Own[i]);
+      found = SentQuery<Dim>::Read(&answers.Values[next[part]]);
       next[part] += words;
     }
     arrays.Set(static_cast<vtkIdType>(i), found);
   }
   std::vector<std::uint64_t> all(costs.begin(), costs.end());
-  this->Octree.Processes.Sum(all);
-  std::copy(all.begin(), all.end(), costs.begin());
-  return costs;
+  this->Tree.Processes.Sum(all);
+  Costs ofAll;
+  std::copy(all.begin(), all.end(), ofAll.begin());
+  return ofAll;
 }
 
 template class LocatedQueries<2>;

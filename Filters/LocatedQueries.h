@@ -2,6 +2,7 @@
 #ifndef LocatedQueries_h
 #define LocatedQueries_h
 
+#include "Parted.h"
 #include "PointsAdaptor.h"
 #include "QuerySearch.h"
 
@@ -52,11 +53,12 @@ private:
   Costs SearchWithOthers(
     const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const;
 
-  const PointsOctree<Dim>& Octree;
+  const PointsOctree<Dim>& Tree;
   std::size_t Finite = 0;
-  Keys Own; ///< The key of each query here, 0 where it is not finite.
-  /** Those to search for here, by the process that has the queries; of one alone its own. */
-  std::vector<Keys> Searched;
+  /** The key of each query of this process, 0 where it is not finite. */
+  Keys Own;
+  /** Those that are searched for here, by the process that has the queries; not of one alone. */
+  Parted<MortonKey<Dim>> Taken;
 };
 }
 

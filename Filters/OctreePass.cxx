@@ -103,6 +103,19 @@ PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Di
   return octree;
 }
 
+/** Whether all parts have the same values. */
+bool AreEqual(const Parted<std::uint64_t>& parts)
+{
+  const std::size_t count = parts.Counts.front();
+  bool areEqual = std::count(parts.Counts.begin(), parts.Counts.end(), count) ==
+    static_cast<std::ptrdiff_t>(parts.Counts.size());
+  for (std::size_t i = count; areEqual && i < parts.Values.size(); ++i)
+  {
+    areEqual = parts.Values[i] == parts.Values[i - count];
+  }
+  return areEqual;
+}
+
 /** Where the leaves of a composite data set are, those that hold nothing, too. */
 std::vector<std::uint64_t> ListLeaves(vtkDataObjectTreeIterator* leaves)
 {
@@ -143,7 +156,6 @@ void OctreePass::ExecuteAny(
   }
   this->AllPoints = this->Processes.Sum(this->AllPoints);
   this->SkippedPoints = this->Processes.Sum(this->SkippedPoints);
-  this->ImplicitBlocks = this->Processes.Sum(this->ImplicitBlocks);
   if (this->SkippedPoints > 0 && this->Processes.IsFirst())
   {
     WarnOfSkippedPoints(
@@ -175,9 +187,7 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   const auto blocks = vtk::TakeSmartPointer(input->NewTreeIterator());
   blocks->SetSkipEmptyNodes(0); // Another process may have something there.
   const std::vector<std::uint64_t> leaves = ListLeaves(blocks);
-  const auto ofProcesses = this->Processes.Gather(leaves);
-  if (std::count(ofProcesses.begin(), ofProcesses.end(), leaves) !=
-    static_cast<std::ptrdiff_t>(ofProcesses.size()))
+  if (!AreEqual(this->Processes.Gather(leaves)))
   {
     this->Processes = ProcessGroup();
   }
@@ -202,10 +212,11 @@ OctreePass::Outputs OctreePass::Process(
   auto* input = vtkPointSet::SafeDownCast(data);
   if (input == nullptr)
   {
-    const bool isImplicit = data != nullptr && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
-    this->ImplicitBlocks += isImplicit ? 1 : 0;
     input = nothing;
   }
+  const bool isImplicit =
+    data != nullptr && input == nothing && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
+  this->ImplicitBlocks += this->Processes.Max(isImplicit ? 1 : 0);
   if (input->GetNumberOfPoints() == 0 && !this->Processes.AreSeveral())
   {
     return {};

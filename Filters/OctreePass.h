@@ -92,11 +92,10 @@ private:
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;
   std::optional<Box<3>> Root;
-  // Of this process, in the end of all.
-  std::uint64_t AllPoints = 0;
-  std::uint64_t SkippedPoints = 0;
+  std::uint64_t AllPoints = 0;      ///< Of this process, in the end of all;
+  std::uint64_t SkippedPoints = 0;  ///< so, too.
+  std::uint64_t UsedPoints = 0;     ///< Of all.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
-  std::uint64_t UsedPoints = 0;     ///< Always of all.
 };
 }
 

@@ -11,7 +11,8 @@
 
 namespace hashedoctree
 {
-// What a REQUEST_DATA says of the pieces of a distributed data set. Private to the module.
+// What a REQUEST_DATA says of the pieces of a distributed data set, and how it is done together
+// with those who have the others. Private to the module.
 
 /** Whether other processes, or other updates, have the rest of it: what the output says that the
  * request came from. */

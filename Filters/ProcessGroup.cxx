@@ -3,6 +3,8 @@
 
 #include "vtkCommunicator.h"
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -18,26 +20,15 @@ void Require(int done)
   }
 }
 
-/** Where the values of each process begin when they stand one after the other. */
-std::vector<vtkIdType> GetOffsets(const std::vector<vtkIdType>& lengths)
+std::vector<vtkIdType> ToIds(const std::vector<std::size_t>& counts)
 {
-  std::vector<vtkIdType> offsets(lengths.size(), 0);
-  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-  return offsets;
+  return { counts.begin(), counts.end() };
 }
 
-template <typename Word>
-std::vector<std::vector<Word>> Split(
-  const std::vector<Word>& all, const std::vector<vtkIdType>& lengths)
+/** Where the values of each process begin when they stand one after the other. */
+std::vector<vtkIdType> GetBegins(const std::vector<std::size_t>& counts)
 {
-  std::vector<std::vector<Word>> parts;
-  auto begin = all.begin();
-  for (const vtkIdType length : lengths)
-  {
-    parts.emplace_back(begin, begin + length);
-    begin += length;
-  }
-  return parts;
+  return ToIds(Parted<std::uint64_t>{ {}, counts }.GetBegins());
 }
 }
 
@@ -84,16 +75,19 @@ void ProcessGroup::Reduce(Value* values, std::size_t count, int operation) const
 
 void ProcessGroup::Sum(std::vector<std::uint64_t>& values) const
 {
-  Words words = ToWords(values);
-  this->Reduce(words.data(), words.size(), vtkCommunicator::SUM_OP);
-  values.assign(words.begin(), words.end());
+  this->Reduce(values.data(), values.size(), vtkCommunicator::SUM_OP);
 }
 
 std::uint64_t ProcessGroup::Sum(std::uint64_t value) const
 {
-  std::vector<std::uint64_t> values{ value };
-  this->Sum(values);
-  return values.front();
+  this->Reduce(&value, 1, vtkCommunicator::SUM_OP);
+  return value;
+}
+
+std::uint64_t ProcessGroup::Max(std::uint64_t value) const
+{
+  this->Reduce(&value, 1, vtkCommunicator::MAX_OP);
+  return value;
 }
 
 bool ProcessGroup::IsTrueInAll(bool here, const char* problem) const
@@ -116,51 +110,73 @@ void ProcessGroup::Max(double* values, std::size_t count) const
   this->Reduce(values, count, vtkCommunicator::MAX_OP);
 }
 
-std::vector<ProcessGroup::Words> ProcessGroup::GatherWords(const Words& words) const
+ProcessGroup::Counts ProcessGroup::GatherCounts(const Counts& counts) const
 {
   if (this->Controller == nullptr)
   {
-    return { words };
+    return counts;
   }
-  std::vector<vtkIdType> lengths(this->GetNumber());
-  const auto own = static_cast<vtkIdType>(words.size());
+  const std::vector<vtkIdType> own = ToIds(counts);
+  std::vector<vtkIdType> all(counts.size() * this->GetNumber());
   this->Agree(false);
-  Require(this->Controller->AllGather(&own, lengths.data(), 1));
-  std::vector<vtkIdType> offsets = GetOffsets(lengths);
-  Words all(static_cast<std::size_t>(offsets.back() + lengths.back()));
-  this->Agree(false);
-  Require(
-    this->Controller->AllGatherV(words.data(), all.data(), own, lengths.data(), offsets.data()));
-  return Split(all, lengths);
+  Require(this->Controller->AllGather(own.data(), all.data(), static_cast<vtkIdType>(own.size())));
+  return { all.begin(), all.end() };
 }
 
-std::vector<ProcessGroup::Words> ProcessGroup::ExchangeWords(const std::vector<Words>& words) const
+ProcessGroup::Counts ProcessGroup::GetTaken(const Counts& ofAll) const
+{
+  Counts taken;
+  for (std::size_t taker = this->GetRank(); taker < ofAll.size(); taker += this->GetNumber())
+  {
+    taken.push_back(ofAll[taker]);
+  }
+  return taken;
+}
+
+std::size_t ProcessGroup::GetSendable(const Counts& counts)
+{
+  const std::size_t sum = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
+  if (sum > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+  {
+    throw std::length_error("A process would get more than MPI can send at a time; have more "
+                            "processes, or allow less points per leaf.");
+  }
+  return sum;
+}
+
+void ProcessGroup::GatherValues(
+  const std::uint64_t* own, std::uint64_t* gathered, const Counts& gatheredCounts) const
+{
+  const std::size_t ownCount = gatheredCounts[this->GetRank()];
+  if (this->Controller == nullptr)
+  {
+    std::copy_n(own, ownCount, gathered);
+    return;
+  }
+  std::vector<vtkIdType> counts = ToIds(gatheredCounts);
+  std::vector<vtkIdType> begins = GetBegins(gatheredCounts);
+  this->Agree(false);
+  Require(this->Controller->AllGatherV(
+    own, gathered, static_cast<vtkIdType>(ownCount), counts.data(), begins.data()));
+}
+
+void ProcessGroup::ExchangeValues(const std::uint64_t* given, const Counts& givenCounts,
+  std::uint64_t* taken, const Counts& takenCounts) const
 {
   if (this->Controller == nullptr)
   {
-    return words;
+    std::copy_n(given, givenCounts.front(), taken);
+    return;
   }
-  std::vector<vtkIdType> ownLengths(words.size());
-  std::transform(words.begin(), words.end(), ownLengths.begin(),
-    [](const Words& ofProcess) { return static_cast<vtkIdType>(ofProcess.size()); });
-  const auto number = static_cast<vtkIdType>(words.size());
-  std::vector<vtkIdType> allLengths(words.size() * words.size()); // By giver, then by taker.
+  std::vector<vtkIdType> counts = ToIds(takenCounts);
+  std::vector<vtkIdType> begins = GetBegins(takenCounts);
   this->Agree(false);
-  Require(this->Controller->AllGather(ownLengths.data(), allLengths.data(), number));
-
-  std::vector<vtkIdType> lengths;
-  for (std::size_t giver = 0; giver < words.size(); ++giver)
+  for (std::size_t taker = 0; taker < givenCounts.size(); ++taker)
   {
-    lengths.push_back(allLengths[giver * words.size() + this->GetRank()]);
+    const auto count = static_cast<vtkIdType>(givenCounts[taker]);
+    Require(this->Controller->GatherV(
+      given, taken, count, counts.data(), begins.data(), static_cast<int>(taker)));
+    given += count;
   }
-  std::vector<vtkIdType> offsets = GetOffsets(lengths);
-  Words all(static_cast<std::size_t>(offsets.back() + lengths.back()));
-  this->Agree(false);
-  for (std::size_t taker = 0; taker < words.size(); ++taker)
-  {
-    Require(this->Controller->GatherV(words[taker].data(), all.data(), ownLengths[taker],
-      lengths.data(), offsets.data(), static_cast<int>(taker)));
-  }
-  return Split(all, lengths);
 }
 }

@@ -2,23 +2,24 @@
 #ifndef ProcessGroup_h
 #define ProcessGroup_h
 
+#include "Parted.h"
+
 #include "vtkMultiProcessController.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace hashedoctree
 {
 /**
  * The processes that hold the pieces of one data set and work on it together; often one alone. All
- * of them have to call the same members in the same order, and each then waits for the others: all
- * of that within Together(), so that what fails in one process is the end for all. Private to the
- * module.
+ * of them have to call the same members in the same order, each on the thread that updates the
+ * filter, and each then waits for the others: all of that within Together(), so that what fails in
+ * one process is the end for all. Private to the module.
  */
 class ProcessGroup
 {
@@ -58,31 +59,43 @@ public:
     this->Agree(false);
   }
 
+  /** Whether something is true in all processes; throws std::invalid_argument, with this problem,
+   * where it is in some of them only. */
+  bool IsTrueInAll(bool here, const char* problem) const;
+
   ///@{
   /** Each value by those of all processes: their sum, the smallest, the largest. */
   void Sum(std::vector<std::uint64_t>& values) const;
   std::uint64_t Sum(std::uint64_t value) const;
-  /** Whether something is true in all processes; throws std::invalid_argument, with this problem,
-   * where it is in some of them only. */
-  bool IsTrueInAll(bool here, const char* problem) const;
   void Min(double* values, std::size_t count) const;
   void Max(double* values, std::size_t count) const;
+  std::uint64_t Max(std::uint64_t value) const;
   ///@}
 
-  /** The values that each of the processes has; `T` is a plain value of eight bytes. */
+  /** The values that each of the processes has, by process. Throws std::length_error for more than
+   * MPI can send at a time. */
   template <typename T>
-  std::vector<std::vector<T>> Gather(const std::vector<T>& values) const
+  Parted<T> Gather(const std::vector<T>& values) const
   {
-    return FromWords<T>(this->GatherWords(ToWords(values)));
+    Parted<T> gathered;
+    gathered.Counts = this->GatherCounts({ values.size() });
+    gathered.Values.resize(GetSendable(gathered.Counts));
+    this->GatherValues(GetNumbers(values), GetNumbers(gathered.Values), gathered.Counts);
+    return gathered;
   }
-  /** Gives the values at index i to process i, and returns those that the processes have given to
-   * this one, one process after the other. */
+
+  /** Gives each process its part of the values, and returns those that the processes have given to
+   * this one, by process. Throws as Gather(). */
   template <typename T>
-  std::vector<std::vector<T>> Exchange(const std::vector<std::vector<T>>& values) const
+  Parted<T> Exchange(const Parted<T>& values) const
   {
-    std::vector<Words> words(values.size());
-    std::transform(values.begin(), values.end(), words.begin(), ToWords<T>);
-    return FromWords<T>(this->ExchangeWords(words));
+    const Counts ofAll = this->GatherCounts(values.Counts);
+    Parted<T> taken;
+    taken.Counts = this->GetTaken(ofAll);
+    taken.Values.resize(GetSendable(taken.Counts));
+    this->ExchangeValues(
+      GetNumbers(values.Values), values.Counts, GetNumbers(taken.Values), taken.Counts);
+    return taken;
   }
 
 private:
@@ -91,35 +104,40 @@ private:
   {
     using std::runtime_error::runtime_error;
   };
-  using Words = std::vector<unsigned long long>;
+  using Counts = std::vector<std::size_t>;
 
+  ///@{
+  /** Values as the numbers that they consist of: VTK sends numbers. */
   template <typename T>
-  static Words ToWords(const std::vector<T>& values)
+  static const std::uint64_t* GetNumbers(const std::vector<T>& values)
   {
-    static_assert(sizeof(T) == sizeof(unsigned long long) && std::is_trivially_copyable_v<T>);
-    Words words(values.size());
-    std::memcpy(words.data(), values.data(), values.size() * sizeof(T));
-    return words;
+    static_assert(sizeof(T) == sizeof(std::uint64_t) && std::is_standard_layout_v<T> &&
+        std::is_trivially_copyable_v<T>,
+      "a number with a name");
+    return reinterpret_cast<const std::uint64_t*>(values.data());
   }
   template <typename T>
-  static std::vector<std::vector<T>> FromWords(const std::vector<Words>& words)
+  static std::uint64_t* GetNumbers(std::vector<T>& values)
   {
-    std::vector<std::vector<T>> values;
-    for (const Words& ofProcess : words)
-    {
-      values.emplace_back(ofProcess.size());
-      std::memcpy(
-        static_cast<void*>(values.back().data()), ofProcess.data(), ofProcess.size() * sizeof(T));
-    }
-    return values;
+    return const_cast<std::uint64_t*>(GetNumbers(std::as_const(values)));
   }
+  ///@}
 
   /** Waits for all, and throws FailedElsewhere if another one has failed and this one has not. */
   void Agree(bool hasFailed) const;
   template <typename Value>
   void Reduce(Value* values, std::size_t count, int operation) const;
-  std::vector<Words> GatherWords(const Words& words) const;
-  std::vector<Words> ExchangeWords(const std::vector<Words>& words) const;
+
+  /** The counts of all processes, one process after the other. */
+  Counts GatherCounts(const Counts& counts) const;
+  /** What each process gives to this one, given what each gives to each. */
+  Counts GetTaken(const Counts& ofAll) const;
+  /** The sum of the counts. Throws std::length_error where that is more than can be sent. */
+  static std::size_t GetSendable(const Counts& counts);
+  void GatherValues(
+    const std::uint64_t* own, std::uint64_t* gathered, const Counts& gatheredCounts) const;
+  void ExchangeValues(const std::uint64_t* given, const Counts& givenCounts, std::uint64_t* taken,
+    const Counts& takenCounts) const;
 
   vtkMultiProcessController* Controller = nullptr;
 };

@@ -55,10 +55,7 @@ QueryBlocks::QueryBlocks(vtkDataObject* points, vtkDataObject* queries,
     throw std::invalid_argument("AMR query points cannot be searched for in blocks of points; "
                                 "merge the blocks of either input.");
   }
-  for (const auto& places : processes.Gather(ListPlaces(this->Composite)))
-  {
-    this->Places.insert(this->Places.end(), places.begin(), places.end());
-  }
+  this->Places = processes.Gather(ListPlaces(this->Composite)).Values;
   std::sort(this->Places.begin(), this->Places.end());
   this->Places.erase(std::unique(this->Places.begin(), this->Places.end()), this->Places.end());
   this->Blocks.resize(this->Places.size(), nullptr);

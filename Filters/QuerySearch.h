@@ -2,6 +2,7 @@
 #ifndef QuerySearch_h
 #define QuerySearch_h
 
+#include "LeafNumberShifts.h"
 #include "LeafNumbers.h"
 #include "PointsOctree.h"
 #include "RangeDepths.h"
@@ -9,8 +10,7 @@
 
 #include "vtkType.h"
 
-#include <algorithm>
-#include <numeric>
+#include <cstdint>
 #include <vector>
 
 namespace hashedoctree
@@ -50,7 +50,7 @@ public:
   {
     if (octree.Processes.AreSeveral())
     {
-      this->FindNumbersElsewhere(octree, execution);
+      this->FindShifts(octree, execution);
     }
   }
 
@@ -70,52 +70,31 @@ private:
   vtkIdType GetNumber(const FoundLeaf<Dim>& leaf) const
   {
     const auto number = static_cast<vtkIdType>(this->Numbers.Get(this->Tree, leaf));
-    return this->NumbersElsewhere.empty()
+    return this->Shifts.empty()
       ? number
-      : number + this->NumbersElsewhere[static_cast<std::size_t>(leaf.Key.GetDepth())];
+      : number + this->Shifts[static_cast<std::size_t>(leaf.Key.GetDepth())];
   }
 
-  /** How many leaves there are, and have numbers, at each depth of the whole tree. */
-  std::vector<vtkIdType> CountNumbered(const DepthCounts& counts, std::size_t depths) const
+  void FindShifts(const PointsOctree<Dim>& octree, const Execution& execution)
   {
-    std::vector<vtkIdType> numbered(depths, 0);
-    for (std::size_t depth = 0; depth < counts.Leaves.size(); ++depth)
-    {
-      const bool all = this->Numbers.GetReading() == EmptyOctants::Leaves;
-      numbered[depth] =
-        static_cast<vtkIdType>(counts.Leaves[depth] - (all ? 0 : counts.EmptyLeaves[depth]));
-    }
-    return numbered;
-  }
-
-  /** At each depth the leaves in the part, and the one that reaches into it from before, stand side
-   * by side in both orders, so that one difference holds for all. */
-  void FindNumbersElsewhere(const PointsOctree<Dim>& octree, const Execution& execution)
-  {
+    const EmptyOctants reading = this->Numbers.GetReading();
     const std::size_t depths = octree.Counts.Leaves.size();
-    CurveRange<Dim> before;
-    before.Last = MortonKey<Dim>(octree.Range.First.GetValue() - 1);
-    const auto all = this->CountNumbered(octree.Counts, depths);
-    const auto here = this->CountNumbered(this->Tree.GetDepthCounts(), depths);
-    const auto hereBefore = this->CountNumbered(CountDepths(this->Tree, before, execution), depths);
-    const auto ofParts = octree.Processes.Gather(
-      this->CountNumbered(CountDepths(this->Tree, octree.Range, execution), depths));
-    vtkIdType difference = 0; // Of the leaves higher up.
-    for (std::size_t depth = 0; depth < depths; ++depth)
+    DepthHistogram own =
+      CountNumberedLeaves(CountDepths(this->Tree, octree.Range, execution), reading);
+    own.resize(depths);
+    const std::vector<std::uint64_t> ofParts = octree.Processes.Gather(own).Values;
+    DepthHistogram before(depths, 0);
+    for (std::size_t i = 0; i < octree.Processes.GetRank() * depths; ++i)
     {
-      vtkIdType allBefore = 0;
-      for (std::size_t part = 0; part < octree.Processes.GetRank(); ++part)
-      {
-        allBefore += ofParts[part][depth];
-      }
-      this->NumbersElsewhere.push_back(difference + allBefore - hereBefore[depth]);
-      difference += all[depth] - here[depth];
+      before[i % depths] += ofParts[i];
     }
+    this->Shifts =
+      FindLeafNumberShifts(this->Tree, octree.Range, octree.Counts, before, reading, execution);
   }
 
   const Octree<Dim>& Tree;
-  LeafNumbers<Dim> Numbers;                ///< In this process's tree.
-  std::vector<vtkIdType> NumbersElsewhere; ///< By depth: what they lack; empty of a whole tree.
+  LeafNumbers<Dim> Numbers;         ///< In this process's tree.
+  std::vector<std::int64_t> Shifts; ///< Of LeafNumberShifts.h; empty for a process alone.
   Comparison Searches;
 };
 }

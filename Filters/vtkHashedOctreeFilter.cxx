@@ -51,10 +51,9 @@ public:
   template <int Dim>
   OctreePass::Outputs operator()(const PointsOctree<Dim>& octree, const Execution& execution) const
   {
-    const TreePart<Dim> part = octree.GetPart();
-    const int startDepth = GetStartDepth(part, GetStartDepthOptions<Dim>(this->Self));
+    const int startDepth = GetStartDepth(octree.Counts, GetStartDepthOptions<Dim>(this->Self), Dim);
     const MeasuredCost measured =
-      MeasureCost(part, execution.Part(OctreePass::BuildShare, MeasuringShare));
+      MeasureCost(octree.GetPart(), execution.Part(OctreePass::BuildShare, MeasuringShare));
     const vtkSmartPointer<vtkDataObject> nodes =
       this->MakeNodes(octree, startDepth, execution.Part(MeasuringShare, 1.0));
     this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
@@ -105,7 +104,7 @@ public:
   {
     StartDepthOptions options = GetStartDepthOptions<Dim>(this->Self);
     options.Frequency = model;
-    return GetStartDepth(octree.GetPart(), options);
+    return GetStartDepth(octree.Counts, options, Dim);
   }
 
   template <int Dim>

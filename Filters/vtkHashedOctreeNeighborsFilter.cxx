@@ -152,11 +152,11 @@ public:
   template <int Dim>
   OctreePass::Outputs Process(const PointsOctree<Dim>& octree, const Execution& execution)
   {
-    const int startDepth = GetStartDepth(octree.GetPart(), GetStartDepthOptions<Dim>(this->Self));
+    const int startDepth = GetStartDepth(octree.Counts, GetStartDepthOptions<Dim>(this->Self), Dim);
     ++this->Trees;
     const std::uint64_t found = this->FindQuery(octree, startDepth).GetValue();
     const MortonKey<Dim> query(octree.Processes.Sum(found)); // One process at most has it.
-    if (query == MortonKey<Dim>())
+    if (query == MortonKey<Dim>(0))
     {
       return {};
     }

@@ -3,24 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <numeric>
 
 namespace hashedoctree
 {
 namespace
 {
-template <typename Key>
-bool IsBefore(Key a, Key b)
-{
-  return a < b;
-}
-
-template <typename Key>
-bool IsAfter(Key a, Key b)
-{
-  return b < a;
-}
-
 /** How many of some keys are in each node on the way to one key. */
 template <int Dim>
 class KeysAround
@@ -51,17 +40,20 @@ private:
   std::array<std::uint64_t, Key::MaxDepth + 1> KeysBelow{}; ///< In its node at a depth.
 };
 
-/** The first `count` keys in an order, or all, in no order. */
+/** The first `count` keys in an order, or all, in this order. */
 template <typename Keys, typename Order>
-Keys TakeFirst(Keys keys, std::size_t count, const Order& order)
+Keys TakeFirst(const Keys& keys, std::size_t count, const Order& order)
 {
-  if (count < keys.size())
-  {
-    const auto end = keys.begin() + static_cast<std::ptrdiff_t>(count);
-    std::nth_element(keys.begin(), end, keys.end(), order);
-    keys.resize(count);
-  }
-  return keys;
+  Keys first(std::min(count, keys.size()));
+  std::partial_sort_copy(keys.begin(), keys.end(), first.begin(), first.end(), order);
+  return first;
+}
+
+/** A number below `end` for each i, all over. */
+std::uint64_t Scatter(std::uint64_t i, std::uint64_t end)
+{
+  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // 2^64 by the golden ratio.
+  return (i * golden >> 32) % end;
 }
 }
 
@@ -73,7 +65,7 @@ typename CurveDivision<Dim>::Keys CurveDivision<Dim>::Sample(
   Keys sample;
   for (std::uint64_t i = 0; i < keys.size(); i += step)
   {
-    sample.push_back(keys[i]);
+    sample.push_back(keys[std::min<std::uint64_t>(i + Scatter(i, step), keys.size() - 1)]);
   }
   return sample;
 }
@@ -111,14 +103,19 @@ std::size_t CurveDivision<Dim>::FindPart(Key key) const
 }
 
 template <int Dim>
-std::vector<typename CurveDivision<Dim>::Keys> CurveDivision<Dim>::Deal(const Keys& keys) const
+Parted<MortonKey<Dim>> CurveDivision<Dim>::Deal(const Keys& keys) const
 {
-  std::vector<Keys> parts(this->GetNumberOfParts());
+  Parted<Key> dealt{ Keys(keys.size()), std::vector<std::size_t>(this->GetNumberOfParts(), 0) };
   for (const Key key : keys)
   {
-    parts[this->FindPart(key)].push_back(key);
+    ++dealt.Counts[this->FindPart(key)];
   }
-  return parts;
+  std::vector<std::size_t> next = dealt.GetBegins();
+  for (const Key key : keys)
+  {
+    dealt.Values[next[this->FindPart(key)]++] = key;
+  }
+  return dealt;
 }
 
 template <int Dim>
@@ -159,23 +156,26 @@ std::vector<std::uint64_t> CurveDivision<Dim>::CountInNodesAcross(
 }
 
 template <int Dim>
-std::vector<typename CurveDivision<Dim>::Keys> CurveDivision<Dim>::GetOverlaps(std::size_t part,
-  const Keys& keys, const std::vector<std::uint64_t>& pointsOfParts, std::size_t overlap)
+Parted<MortonKey<Dim>> CurveDivision<Dim>::GetOverlaps(std::size_t part, const Keys& keys,
+  const std::vector<std::uint64_t>& pointsOfParts, std::size_t overlap)
 {
-  std::vector<Keys> overlaps(pointsOfParts.size());
-  const Keys last = TakeFirst(keys, overlap, IsAfter<Key>);
-  std::uint64_t missing = overlap; // What the parts between do not have.
-  for (std::size_t after = part + 1; after < overlaps.size() && missing > 0; ++after)
+  const Keys first = TakeFirst(keys, overlap, std::less<>());
+  const Keys last = TakeFirst(keys, overlap, std::greater<>());
+  Parted<Key> overlaps;
+  for (std::size_t other = 0; other < pointsOfParts.size(); ++other)
   {
-    overlaps[after] = TakeFirst(last, missing, IsAfter<Key>);
-    missing -= std::min(missing, pointsOfParts[after]);
-  }
-  const Keys first = TakeFirst(keys, overlap, IsBefore<Key>);
-  missing = overlap;
-  for (std::size_t before = part; before-- > 0 && missing > 0;)
-  {
-    overlaps[before] = TakeFirst(first, missing, IsBefore<Key>);
-    missing -= std::min(missing, pointsOfParts[before]);
+    // What the parts between do not have.
+    std::uint64_t missing = other == part ? 0 : overlap;
+    for (std::size_t between = std::min(part, other) + 1; between < std::max(part, other);
+         ++between)
+    {
+      missing -= std::min(missing, pointsOfParts[between]);
+    }
+    const Keys& nearest = other < part ? first : last;
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(missing, nearest.size()));
+    overlaps.Values.insert(
+      overlaps.Values.end(), nearest.begin(), nearest.begin() + static_cast<std::ptrdiff_t>(count));
+    overlaps.Counts.push_back(count);
   }
   return overlaps;
 }

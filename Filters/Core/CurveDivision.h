@@ -3,6 +3,7 @@
 #define hashedoctree_CurveDivision_h
 
 #include "CurveRange.h"
+#include "Parted.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,7 +34,8 @@ public:
   using Keys = std::vector<Key>;
 
   /** Those of its keys that each builder gives for the division, given how many points there are in
-   * all: every so many-th, about KeysPerPart for each part. */
+   * all: one of every so many, at places that have no rule in common with the input, about
+   * KeysPerPart for each part. */
   static Keys Sample(const Keys& keys, std::uint64_t allPoints, std::size_t numberOfParts);
   static constexpr std::uint64_t KeysPerPart = 1024;
 
@@ -51,8 +53,8 @@ public:
   CurveRange<Dim> GetRange(std::size_t part) const;
   /** The part that a key is in. O(log(parts)). */
   std::size_t FindPart(Key key) const;
-  /** The keys of each part, in the order in which they are given. O(n log(parts)). */
-  std::vector<Keys> Deal(const Keys& keys) const;
+  /** The keys by part, in each in the order in which they are given. O(n log(parts)). */
+  Parted<Key> Deal(const Keys& keys) const;
 
   /** Keys of all nodes with keys in several parts, by value: where they are internal, no builder
    * has all of their points. At most MaxDepth + 1 for each cut. */
@@ -62,10 +64,10 @@ public:
 
   /** How many points a builder needs on either side of its part. */
   static std::size_t CountOverlap(std::size_t maxPointsPerLeaf) { return maxPointsPerLeaf + 1; }
-  /** Those keys of a part that the builders of each other part need, which have `overlap` next to
-   * their own ones on either side if there are so many; given how many points each part has. O(n),
-   * and O(overlap) for each part that needs some. */
-  static std::vector<Keys> GetOverlaps(std::size_t part, const Keys& keys,
+  /** Those keys of a part that the builder of each other part needs, to have the `overlap` next to
+   * its own ones on either side, or all if there are fewer; given how many points each part has.
+   * O(n log(overlap)), and O(overlap) for each part that needs some. */
+  static Parted<Key> GetOverlaps(std::size_t part, const Keys& keys,
     const std::vector<std::uint64_t>& pointsOfParts, std::size_t overlap);
 
 private:

@@ -72,6 +72,11 @@ int GetMeanDepth(const DepthHistogram& histogram)
   return total > 0 ? static_cast<int>((2 * sum + total) / (2 * total)) : 0;
 }
 
+int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options, int dimension)
+{
+  return GetStartDepth(GetDepthHistogram(counts, options.Frequency, dimension), options);
+}
+
 int GetStartDepth(const DepthHistogram& histogram, const StartDepthOptions& options)
 {
   switch (options.Model)

@@ -82,6 +82,8 @@ int GetMeanDepth(const DepthHistogram& histogram);
 /** The one start depth that a model has for a whole tree, given the histogram of the frequency
  * model; of the Local model the median. */
 int GetStartDepth(const DepthHistogram& histogram, const StartDepthOptions& options);
+/** The same for a whole tree, by the options' frequency model. */
+int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options, int dimension);
 
 /** A start depth with the least mean cost, found by trying all; the smallest of equals. */
 int GetCheapestStartDepth(const DepthHistogram& histogram);

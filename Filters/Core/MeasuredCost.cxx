@@ -22,7 +22,7 @@ struct Sums
 
 /** What one thread adds to, and the sum of all. */
 template <int Dim>
-using Part = Sums<Dim, std::uint64_t>;
+using PartialSums = Sums<Dim, std::uint64_t>;
 template <int Dim>
 using Total = Sums<Dim, std::atomic<std::uint64_t>>;
 
@@ -101,23 +101,24 @@ private:
 };
 
 template <int Dim>
-void AddLeaf(LeafSearches<Dim>& searches, const typename Octree<Dim>::Node& leaf, Part<Dim>& part)
+void AddLeaf(
+  LeafSearches<Dim>& searches, const typename Octree<Dim>::Node& leaf, PartialSums<Dim>& sums)
 {
   const auto nodes = searches.Count(leaf.NodeKey.GetFirstAtMaxDepth());
   for (std::size_t startDepth = 0; startDepth < nodes.size(); ++startDepth)
   {
-    part.Leaves[startDepth] += nodes[startDepth];
-    part.Points[startDepth] += nodes[startDepth] * leaf.GetNumberOfPoints();
+    sums.Leaves[startDepth] += nodes[startDepth];
+    sums.Points[startDepth] += nodes[startDepth] * leaf.GetNumberOfPoints();
   }
 }
 
 template <int Dim>
-void AddPart(const Part<Dim>& part, Total<Dim>& total)
+void AddSums(const PartialSums<Dim>& sums, Total<Dim>& total)
 {
-  for (std::size_t depth = 0; depth < part.Leaves.size(); ++depth)
+  for (std::size_t depth = 0; depth < sums.Leaves.size(); ++depth)
   {
-    total.Leaves[depth].fetch_add(part.Leaves[depth], std::memory_order_relaxed);
-    total.Points[depth].fetch_add(part.Points[depth], std::memory_order_relaxed);
+    total.Leaves[depth].fetch_add(sums.Leaves[depth], std::memory_order_relaxed);
+    total.Points[depth].fetch_add(sums.Points[depth], std::memory_order_relaxed);
   }
 }
 
@@ -138,24 +139,24 @@ std::vector<double> GetMeans(const TreePart<Dim>& part, const Numbers& examined,
 }
 
 template <int Dim>
-MeasuredCost MeasureCost(const TreePart<Dim>& whole, const Execution& execution)
+MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
 {
   constexpr std::size_t chunkSize = 32; // Blocks, of up to 2^Dim leaves each.
-  const Octree<Dim>& tree = whole.GetTree();
-  const int lastStartDepth = std::max(whole.GetDeepestDepth(), 1);
+  const Octree<Dim>& tree = part.GetTree();
+  const int lastStartDepth = std::max(part.GetDeepestDepth(), 1);
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   Total<Dim> total;
-  if (!tree.IsRootInternal() && whole.Has(MortonKey<Dim>::Root()))
+  if (!tree.IsRootInternal() && part.Has(MortonKey<Dim>::Root()))
   {
-    Part<Dim> root;
+    PartialSums<Dim> root;
     LeafSearches<Dim> searches(tree, lastStartDepth);
     AddLeaf(searches, tree.GetRoot(), root);
-    AddPart(root, total);
+    AddSums(root, total);
   }
   execution.ForChunks(numberOfBlocks, chunkSize,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      Part<Dim> part;
+      PartialSums<Dim> sums;
       LeafSearches<Dim> searches(tree, lastStartDepth);
       for (std::size_t block = first; block < last; ++block)
       {
@@ -163,19 +164,19 @@ MeasuredCost MeasureCost(const TreePart<Dim>& whole, const Execution& execution)
         for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
         {
           const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
-          if (!child.Internal && whole.Has(child.NodeKey))
+          if (!child.Internal && part.Has(child.NodeKey))
           {
-            AddLeaf(searches, child, part);
+            AddLeaf(searches, child, sums);
           }
         }
       }
-      AddPart(part, total);
+      AddSums(sums, total);
     });
 
   const auto numberOfDepths = static_cast<std::size_t>(lastStartDepth) + 1;
-  const DepthCounts& counts = whole.GetDepthCounts();
-  return { GetMeans(whole, total.Leaves, numberOfDepths, GetTotal(counts.Leaves)),
-    GetMeans(whole, total.Points, numberOfDepths, GetTotal(counts.Points)) };
+  const DepthCounts& counts = part.GetDepthCounts();
+  return { GetMeans(part, total.Leaves, numberOfDepths, GetTotal(counts.Leaves)),
+    GetMeans(part, total.Points, numberOfDepths, GetTotal(counts.Points)) };
 }
 
 template MeasuredCost MeasureCost(const TreePart<1>&, const Execution&);

@@ -21,7 +21,7 @@ struct MeasuredCost
  * those in its part. The points of a leaf share its path, so one search stands for all of them; and
  * a search that comes to a node goes on like the one that starts there, so each node on the way to
  * a leaf is looked up in the table once, for all start depths. The counts are those of FindLeaf().
- * O(leaves * depths). Throws Interrupted.
+ * All builders have to call it. O(leaves * depths). Throws Interrupted.
  */
 template <int Dim>
 MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution);

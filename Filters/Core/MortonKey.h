@@ -122,6 +122,7 @@ public:
   friend constexpr bool operator==(MortonKey a, MortonKey b) { return a.Value == b.Value; }
   friend constexpr bool operator!=(MortonKey a, MortonKey b) { return a.Value != b.Value; }
   friend constexpr bool operator<(MortonKey a, MortonKey b) { return a.Value < b.Value; }
+  friend constexpr bool operator>(MortonKey a, MortonKey b) { return b < a; }
   friend constexpr bool operator<=(MortonKey a, MortonKey b) { return a.Value <= b.Value; }
 
 private:

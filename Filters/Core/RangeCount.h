@@ -4,6 +4,8 @@
 
 #include "CurveRange.h"
 
+#include <cstdint>
+
 namespace hashedoctree
 {
 /** Counts the nodes that a neighbour search examines on behalf of nodes in a range of the curve:
@@ -19,7 +21,7 @@ public:
   {
   }
 
-  /** The next nodes are examined on behalf of this one. */
+  /** The next nodes are examined on behalf of this one. Every search tells so before it counts. */
   void Enter(MortonKey<Dim> node) { this->Counts = this->Range.Has(node); }
   void AddNode() { this->AddNodes(1); }
   void AddNodes(int count) { this->Nodes += this->Counts ? static_cast<std::uint64_t>(count) : 0; }
@@ -29,7 +31,7 @@ public:
 private:
   CurveRange<Dim> Range;
   std::uint64_t Nodes = 0;
-  bool Counts = false;
+  bool Counts = false; ///< Whether the node is in the range.
 };
 }
 

@@ -6,15 +6,15 @@
 namespace hashedoctree
 {
 template <int Dim>
-SearchComparison<Dim>::SearchComparison(const TreePart<Dim>& tree, const StartDepthOptions& options)
-  : Tree(tree)
+SearchComparison<Dim>::SearchComparison(const TreePart<Dim>& part, const StartDepthOptions& options)
+  : Part(part)
   , Frequency(options.Frequency)
-  , Decisions(GetDepthHistogram(tree.GetDepthCounts(), options.Frequency, Dim))
+  , Decisions(GetDepthHistogram(part.GetDepthCounts(), options.Frequency, Dim))
 {
-  const auto start = [&tree, &options](StartDepthModel model) {
-    return StartDepths<Dim>(tree, { model, options.Frequency, 0 });
+  const auto start = [&part, &options](StartDepthModel model) {
+    return StartDepths<Dim>(part, { model, options.Frequency, 0 });
   };
-  this->Starts[Chosen] = StartDepths<Dim>(tree, options);
+  this->Starts[Chosen] = StartDepths<Dim>(part, options);
   this->Starts[Median] = start(StartDepthModel::Median);
   this->Starts[Mean] = start(StartDepthModel::Mean);
   this->Starts[Local] = start(StartDepthModel::Local);
@@ -22,7 +22,7 @@ SearchComparison<Dim>::SearchComparison(const TreePart<Dim>& tree, const StartDe
   {
     this->PredictedMeans[search] = search == DecisionTree
       ? this->Decisions.GetMeanCost()
-      : this->Starts[search].GetMeanCost(tree, options.Frequency);
+      : this->Starts[search].GetMeanCost(part, options.Frequency);
   }
 }
 
@@ -31,8 +31,8 @@ void SearchComparison<Dim>::SetQueryDepths(const DepthHistogram& queryDepths)
 {
   StartDepths<Dim>& best = this->Starts[BestForQueries];
   best = StartDepths<Dim>(
-    this->Tree, { StartDepthModel::Fixed, this->Frequency, GetMedianDepth(queryDepths) });
-  this->PredictedMeans[BestForQueries] = best.GetMeanCost(this->Tree, this->Frequency);
+    this->Part, { StartDepthModel::Fixed, this->Frequency, GetMedianDepth(queryDepths) });
+  this->PredictedMeans[BestForQueries] = best.GetMeanCost(this->Part, this->Frequency);
 }
 
 template <int Dim>
@@ -51,8 +51,8 @@ auto SearchComparison<Dim>::CountExaminedNodes(MortonKey<Dim> key) const -> Cost
   {
     NodeCount count;
     search == DecisionTree
-      ? FindLeaf(this->Tree.GetTree(), key, this->Decisions, count)
-      : FindLeaf(this->Tree.GetTree(), key, this->Starts[search].Get(key), count);
+      ? FindLeaf(this->Part.GetTree(), key, this->Decisions, count)
+      : FindLeaf(this->Part.GetTree(), key, this->Starts[search].Get(key), count);
     costs[search] = count.Nodes;
   }
   return costs;

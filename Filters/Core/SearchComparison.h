@@ -35,8 +35,9 @@ public:
   using Costs = std::array<std::uint64_t, NumberOfSearches>;
 
   /** `options` say where the chosen search starts, and their frequency model weighs the leaves for
-   * all others but the best one. The same for all builders of a tree. O(nodes). */
-  SearchComparison(const TreePart<Dim>& tree, const StartDepthOptions& options);
+   * all others but the best one. The same for all builders of a tree, all of which have to call it.
+   * O(nodes). */
+  SearchComparison(const TreePart<Dim>& part, const StartDepthOptions& options);
 
   /** What BestForQueries is best for, which starts at the root until then: a weight for each depth,
    * from 0 to the tree's deepest, as MeasureQueryDepths() measures it. O(depths). */
@@ -50,13 +51,12 @@ public:
    * model says. 0 where that has no weight. */
   double GetPredictedMean(Search search) const { return this->PredictedMeans[search]; }
 
-  /** How many nodes each search for a position in the tree's part examines, given its key at
-   * MaxDepth. Every search is
-   * made and counted; nothing comes from the cost model. */
+  /** How many nodes each search for a position in the part examines, given its key at MaxDepth.
+   * Every search is made and counted; nothing comes from the cost model. */
   Costs CountExaminedNodes(MortonKey<Dim> key) const;
 
 private:
-  TreePart<Dim> Tree;
+  TreePart<Dim> Part;
   FrequencyModel Frequency;
   std::array<StartDepths<Dim>, NumberOfSearches> Starts; ///< That of DecisionTree is not used.
   DepthDecisionTree Decisions;

@@ -33,23 +33,23 @@ void ForEachLeaf(const TreePart<Dim>& part, FrequencyModel frequency, const Func
 }
 
 template <int Dim>
-StartDepths<Dim>::StartDepths(const TreePart<Dim>& tree, const StartDepthOptions& options)
-  : Everywhere(GetStartDepth(tree, options))
+StartDepths<Dim>::StartDepths(const TreePart<Dim>& part, const StartDepthOptions& options)
+  : Everywhere(GetStartDepth(part.GetDepthCounts(), options, Dim))
 {
   if (options.Model == StartDepthModel::Local)
   {
-    this->ChooseLocal(tree, options.Frequency);
+    this->ChooseLocal(part, options.Frequency);
   }
 }
 
 template <int Dim>
-void StartDepths<Dim>::ChooseLocal(const TreePart<Dim>& tree, FrequencyModel frequency)
+void StartDepths<Dim>::ChooseLocal(const TreePart<Dim>& part, FrequencyModel frequency)
 {
   constexpr std::size_t numberOfCells = std::size_t(1) << (Dim * LocalDepth);
-  const auto numberOfDepths = static_cast<std::size_t>(tree.GetDeepestDepth()) + 1;
+  const auto numberOfDepths = static_cast<std::size_t>(part.GetDeepestDepth()) + 1;
   std::vector<std::uint64_t> weights(numberOfCells * numberOfDepths);
   std::vector<std::uint64_t> leaves(numberOfCells * numberOfDepths);
-  ForEachLeaf(tree, frequency,
+  ForEachLeaf(part, frequency,
     [&](const typename Octree<Dim>::Node& leaf, std::uint64_t weight)
     {
       const auto depth = static_cast<std::size_t>(leaf.NodeKey.GetDepth());
@@ -60,8 +60,8 @@ void StartDepths<Dim>::ChooseLocal(const TreePart<Dim>& tree, FrequencyModel fre
         ++leaves[cell * numberOfDepths + depth];
       }
     });
-  tree.AddUp(weights);
-  tree.AddUp(leaves);
+  part.AddUp(weights);
+  part.AddUp(leaves);
   this->Local.resize(numberOfCells);
   DepthHistogram histogram;
   const auto read = [&](const std::vector<std::uint64_t>& ofCells, std::size_t cell)
@@ -81,22 +81,22 @@ void StartDepths<Dim>::ChooseLocal(const TreePart<Dim>& tree, FrequencyModel fre
 }
 
 template <int Dim>
-double StartDepths<Dim>::GetMeanCost(const TreePart<Dim>& tree, FrequencyModel frequency) const
+double StartDepths<Dim>::GetMeanCost(const TreePart<Dim>& part, FrequencyModel frequency) const
 {
-  if (this->Local.empty() || !tree.GetTree().IsRootInternal())
+  if (this->Local.empty() || !part.GetTree().IsRootInternal())
   {
     return hashedoctree::GetMeanCost(
-      GetDepthHistogram(tree.GetDepthCounts(), frequency, Dim), this->Everywhere);
+      GetDepthHistogram(part.GetDepthCounts(), frequency, Dim), this->Everywhere);
   }
   DepthHistogram distances(MortonKey<Dim>::MaxDepth + 1, 0);
-  ForEachLeaf(tree, frequency,
+  ForEachLeaf(part, frequency,
     [this, &distances](const typename Octree<Dim>::Node& leaf, std::uint64_t weight)
     {
       // All coarse cells in one leaf have one start depth.
       const int startDepth = this->Get(leaf.NodeKey.GetFirstAtMaxDepth());
       distances[static_cast<std::size_t>(std::abs(leaf.NodeKey.GetDepth() - startDepth))] += weight;
     });
-  tree.AddUp(distances);
+  part.AddUp(distances);
   return hashedoctree::GetMeanCost(distances, 0);
 }
 

@@ -10,18 +10,6 @@
 
 namespace hashedoctree
 {
-/** The one start depth that a model has for a whole tree. O(depths). */
-template <int Dim>
-int GetStartDepth(const TreePart<Dim>& part, const StartDepthOptions& options)
-{
-  return GetStartDepth(GetDepthHistogram(part.GetDepthCounts(), options.Frequency, Dim), options);
-}
-template <int Dim>
-int GetStartDepth(const Octree<Dim>& tree, const StartDepthOptions& options)
-{
-  return GetStartDepth(TreePart<Dim>(tree), options);
-}
-
 /**
  * Where direct searches in a tree start, by position. All models but Local have one start depth for
  * the whole tree. Local has one for each cell of a coarse grid, the weighted median of the leaves
@@ -41,8 +29,9 @@ public:
 
   /** All searches start at the root. */
   StartDepths() = default;
-  /** The same for all builders of a tree. O(1), of the Local model O(nodes). */
-  StartDepths(const TreePart<Dim>& tree, const StartDepthOptions& options);
+  /** The same for all builders of a tree, all of which have to call it. O(1), of the Local model
+   * O(nodes). */
+  StartDepths(const TreePart<Dim>& part, const StartDepthOptions& options);
 
   /** The depth at which the search for a position starts, given its key at MaxDepth. */
   int Get(MortonKey<Dim> key) const
@@ -57,8 +46,8 @@ public:
 
   /** Mean number of nodes that a search in the tree examines, as GetMeanCost() of
    * DepthStatistics.h has it, when leaves are searched for as often as `frequency` says. 0 without
-   * any weight. O(depths), of the Local model O(nodes). */
-  double GetMeanCost(const TreePart<Dim>& tree, FrequencyModel frequency) const;
+   * any weight. All builders have to call it. O(depths), of the Local model O(nodes). */
+  double GetMeanCost(const TreePart<Dim>& part, FrequencyModel frequency) const;
 
 private:
   static std::size_t GetCoarseCell(MortonKey<Dim> key)
@@ -66,7 +55,7 @@ private:
     return static_cast<std::size_t>(key.AtDepth(LocalDepth).GetValue()) ^
       (std::size_t(1) << (Dim * LocalDepth));
   }
-  void ChooseLocal(const TreePart<Dim>& tree, FrequencyModel frequency);
+  void ChooseLocal(const TreePart<Dim>& part, FrequencyModel frequency);
 
   int Everywhere = 0;
   std::vector<std::uint8_t> Local;

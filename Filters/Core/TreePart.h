@@ -5,6 +5,7 @@
 #include "CurveRange.h"
 #include "Octree.h"
 
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ public:
     : TreePart(tree, CurveRange<Dim>(), tree.GetDepthCounts(), {})
   {
   }
+  TreePart(Octree<Dim>&&) = delete; // It would not outlive this.
   /** The nodes in `range` of a builder's tree, and the leaves of all of them in `counts`. */
   TreePart(const Octree<Dim>& tree, const CurveRange<Dim>& range, const DepthCounts& counts,
     AddUpFunction addUp)
@@ -36,7 +38,7 @@ public:
   {
   }
 
-  /** Of this builder; it is that of all in the range. */
+  /** This builder's; for nodes in the range, and searches for keys there, it is that of all. */
   const Octree<Dim>& GetTree() const { return *this->Tree; }
   bool Has(MortonKey<Dim> node) const { return this->Range.Has(node); }
 
@@ -44,6 +46,7 @@ public:
   const DepthCounts& GetDepthCounts() const { return *this->Counts; }
   int GetDeepestDepth() const { return static_cast<int>(this->Counts->Leaves.size()) - 1; }
 
+  /** Waits for the other builders; see AddUpFunction. */
   void AddUp(std::vector<std::uint64_t>& values) const
   {
     if (this->AddUpWithOthers)

@@ -133,6 +133,88 @@ TYPED_TEST(TestCurveDivision, PartsCoverTheCurveAndFindTheirKeys)
     });
 }
 
+TYPED_TEST(TestCurveDivision, NodesAcrossAreNamedOnce)
+{
+  constexpr int dim = TypeParam::value;
+  ForEachDivision<dim>(
+    [](const Octree<dim>&, const CurveBuilders<dim>& builders)
+    {
+      const CurveKeys<dim> nodes = builders.Divided->GetNodesAcross();
+      const std::size_t cuts = builders.Divided->GetNumberOfParts() - 1;
+      EXPECT_LE(nodes.size(), cuts * (MortonKey<dim>::MaxDepth + 1));
+      for (std::size_t i = 1; i < nodes.size(); ++i)
+      {
+        EXPECT_LT(nodes[i - 1], nodes[i]);
+      }
+    });
+}
+
+TYPED_TEST(TestCurveDivision, OverlapsAreTheNextKeysAndNoOthers)
+{
+  constexpr int dim = TypeParam::value;
+  using Division = CurveDivision<dim>;
+  std::mt19937_64 random(61);
+  constexpr std::uint64_t first = MortonKey<dim>::Root().GetFirstAtMaxDepth().GetValue();
+  CurveKeys<dim> all;
+  for (int i = 0; i < 90; ++i)
+  {
+    all.emplace_back(first | random() % first);
+  }
+  std::sort(all.begin(), all.end());
+  // Where each of five parts begins; one is empty, one has less than most overlaps.
+  const std::vector<std::size_t> begins{ 0, 40, 40, 43, 70, 90 };
+  std::vector<std::uint64_t> points;
+  for (std::size_t part = 0; part < 5; ++part)
+  {
+    points.push_back(begins[part + 1] - begins[part]);
+  }
+  for (const std::size_t overlap : { 1U, 2U, 5U, 30U, 200U })
+  {
+    std::vector<CurveKeys<dim>> around(5);
+    for (std::size_t part = 0; part < 5; ++part)
+    {
+      CurveKeys<dim> own(all.begin() + static_cast<std::ptrdiff_t>(begins[part]),
+        all.begin() + static_cast<std::ptrdiff_t>(begins[part + 1]));
+      std::shuffle(own.begin(), own.end(), random);
+      Append(Division::GetOverlaps(part, own, points, overlap), around);
+    }
+    for (std::size_t part = 0; part < 5; ++part)
+    {
+      CurveKeys<dim> expected;
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        const bool isBefore = i < begins[part] && begins[part] <= i + overlap;
+        const bool isAfter = i >= begins[part + 1] && i < begins[part + 1] + overlap;
+        if (isBefore || isAfter)
+        {
+          expected.push_back(all[i]);
+        }
+      }
+      std::sort(around[part].begin(), around[part].end());
+      EXPECT_EQ(around[part], expected) << "part " << part << ", overlap " << overlap;
+    }
+  }
+}
+
+TEST(TestCurveDivisionFacts, SamplesAreSmallAndFollowNoRule)
+{
+  // Keys by turns in two far places: every second one would tell of one place only.
+  CurveKeys<3> keys;
+  for (std::uint64_t i = 0; i < 100000; ++i)
+  {
+    keys.emplace_back(MortonKey<3>::Root().GetFirstAtMaxDepth().GetValue() + (i % 2 << 62U) + i);
+  }
+  for (const std::size_t parts : { 1U, 2U, 5U })
+  {
+    const CurveKeys<3> sample = CurveDivision<3>::Sample(keys, keys.size(), parts);
+    const double expected = 1024.0 * static_cast<double>(parts);
+    EXPECT_NEAR(static_cast<double>(sample.size()), expected, 0.2 * expected);
+    const auto inUpper = std::count_if(sample.begin(), sample.end(),
+      [](MortonKey<3> key) { return (key.GetValue() >> 62U & 1U) != 0; });
+    EXPECT_NEAR(static_cast<double>(inUpper) / static_cast<double>(sample.size()), 0.5, 0.1);
+  }
+}
+
 TEST(TestCurveDivisionFacts, PartsHaveAboutAsManyPoints)
 {
   const PointSample<3, double> sample{ "many", MakeClusteredPoints<3, double>(40000, 13) };

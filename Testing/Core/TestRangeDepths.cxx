@@ -44,3 +44,13 @@ TYPED_TEST(TestRangeDepths, CountsOfPartsAddUp)
       EXPECT_EQ(counts.Points, whole.GetDepthCounts().Points);
     });
 }
+
+TEST(TestRangeDepthsFacts, OfNoKeysThereIsNoDepth)
+{
+  const SampleTree<3, double> made(
+    PointSample<3, double>{ "uniform", MakeUniformPoints<3, double>(100, 5) });
+  CurveRange<3> none;
+  none.Last = MortonKey<3>(none.First.GetValue() - 1);
+  const DepthCounts counts = CountDepths(made.Tree, none, Execution());
+  EXPECT_TRUE(counts.Leaves.empty() && counts.EmptyLeaves.empty() && counts.Points.empty());
+}

@@ -54,6 +54,20 @@ private:
   std::vector<std::uint64_t> Results;
 };
 
+/** Appends to the keys of each part. */
+template <int Dim>
+void Append(const hashedoctree::Parted<hashedoctree::MortonKey<Dim>>& keys,
+  std::vector<CurveKeys<Dim>>& ofParts)
+{
+  auto begin = keys.Values.begin();
+  for (std::size_t part = 0; part < ofParts.size(); ++part)
+  {
+    const auto end = begin + static_cast<std::ptrdiff_t>(keys.Counts[part]);
+    ofParts[part].insert(ofParts[part].end(), begin, end);
+    begin = end;
+  }
+}
+
 /** Builders with points at random, who divide the curve and each make a tree of one part. */
 template <int Dim>
 struct CurveBuilders
@@ -86,11 +100,7 @@ struct CurveBuilders
     this->Own.resize(number);
     for (const CurveKeys<Dim>& keys : given)
     {
-      const std::vector<CurveKeys<Dim>> dealt = this->Divided->Deal(keys);
-      for (std::size_t part = 0; part < number; ++part)
-      {
-        this->Own[part].insert(this->Own[part].end(), dealt[part].begin(), dealt[part].end());
-      }
+      Append(this->Divided->Deal(keys), this->Own);
     }
     this->Build(whole);
   }
@@ -128,11 +138,7 @@ private:
     std::vector<CurveKeys<Dim>> all = this->Own;
     for (std::size_t part = 0; part < this->Own.size(); ++part)
     {
-      const auto given = Division::GetOverlaps(part, this->Own[part], points, overlap);
-      for (std::size_t other = 0; other < all.size(); ++other)
-      {
-        all[other].insert(all[other].end(), given[other].begin(), given[other].end());
-      }
+      Append(Division::GetOverlaps(part, this->Own[part], points, overlap), all);
     }
     for (const CurveKeys<Dim>& keys : all)
     {
