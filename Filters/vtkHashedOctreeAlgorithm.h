@@ -23,11 +23,12 @@
  * filter or its input, has to be Modified() in all: each waits for the others. What fails in one,
  * or is aborted there, ends it in all, with an error in the others.
  *
- * The points of all pieces are in the tree, those at one place as often as they are there, but for
- * points that VTK marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's.
- * So where pieces share a layer of points mark it, as vtkGenerateGlobalIds does. Of composite data
- * sets the blocks at one place are pieces of one, if all processes have the same structure;
- * otherwise, and without such a group, each process makes trees of its own points.
+ * The points of all pieces are in the tree, and equal ones count each, but for points that VTK
+ * marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's; where they are
+ * left out for another reason, too, each of them is counted. So, where pieces share a layer of
+ * points, mark it, as vtkGenerateGlobalIds does. Of composite data sets the blocks at one place are
+ * pieces of one, if all processes have the same structure; otherwise, and without such a group,
+ * each process makes trees of its own points.
  */
 
 #ifndef vtkHashedOctreeAlgorithm_h
@@ -133,7 +134,8 @@ public:
 
   ///@{
   /** Whose processes have the other pieces of a distributed data set; default the global
-   * controller. Null makes each process work alone. */
+   * controller. Null makes each process work alone. (Python knows what GetController() returns once
+   * vtkmodules.vtkParallelCore is imported.) */
   virtual void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
   ///@}

@@ -61,12 +61,13 @@
  * - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes.
  *
  * Several processes that have the pieces of a data set make one tree together, of which each has a
- * part with about as many points. Together their outputs hold each node once, with the values that
- * one process would give it, in the order above within each process. A hyper tree grid holds the
- * nodes around a process's own, too, with their leaves masked. VTK's generator of ghost cells,
- * which takes such grids for pieces with trees of their own, waits for ever. The tables are those
- * of the whole, in the first process; the others have tables without columns. Field data are of the
- * whole, in all: TreeBytes is the sum, BuildSeconds the longest time.
+ * part with about as many points as each other. Together their outputs hold each node once, with
+ * the values that one process would give it, in the order above within each process. A hyper tree
+ * grid holds the nodes around a process's own, too: their leaves are masked, and the values of
+ * internal ones are not those of the whole tree. VTK's generator of ghost cells, which takes such
+ * grids for pieces with trees of their own, waits for ever. The tables are those of the whole, in
+ * the first process; the others have tables without columns. Field data are of the whole, in all:
+ * TreeBytes is the sum, BuildSeconds the longest time.
  */
 
 #ifndef vtkHashedOctreeFilter_h
@@ -108,7 +109,8 @@ public:
   /** Whether CustomBounds gives the root instead of the points' own bounds, so that trees of
    * different points share one grid. Points outside CustomBounds are left out and counted, of
    * quadtrees too; points on its faces are inside. A block with all of its points outside has no
-   * tree, and so nothing that counts them. Default off. */
+   * tree, and so nothing that counts them; nor has such a piece of a process that works alone.
+   * Default off. */
   vtkSetMacro(UseCustomBounds, bool);
   vtkGetMacro(UseCustomBounds, bool);
   vtkBooleanMacro(UseCustomBounds, bool);

@@ -68,7 +68,8 @@
  * to the process that has its part of the tree. Each gives its own queries back, with what they
  * find in the whole tree; LeafId is then the number of the cell among those of all processes, by
  * depth, then by key. The tables are of the queries of all, in the first process; queries in blocks
- * at one place of their composite data sets are of one block. Field data are of the whole, in all.
+ * at one place of their composite data sets are of one block, whose table is lost where the first
+ * process does not have that place. Field data are of the whole, in all.
  */
 
 #ifndef vtkHashedOctreeLocateFilter_h
