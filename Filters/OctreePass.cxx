@@ -225,10 +225,7 @@ OctreePass::Outputs OctreePass::Process(
   Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};
   for (vtkDataObject* output : outputs)
   {
-    if (output != nullptr)
-    {
-      PassFieldData(input, output);
-    }
+    PassFieldData(input, output);
   }
   return outputs;
 }

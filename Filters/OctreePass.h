@@ -33,8 +33,8 @@ namespace hashedoctree
 class OctreePass
 {
 public:
-  /** What is made of a tree, one data object for each of the targets; null, or no list, where there
-   * is nothing. Only targets in blocks may have null. */
+  /** What is made of a tree, one data object for each of the targets; empty where there is nothing.
+   */
   using Outputs = std::vector<vtkSmartPointer<vtkDataObject>>;
   /** What the outputs are put into: data objects of their types or, of a composite input, composite
    * ones that take its structure. */

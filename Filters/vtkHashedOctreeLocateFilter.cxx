@@ -151,11 +151,8 @@ private:
     double begin = OctreePass::BuildShare;
     for (vtkDataSet* block : blocks)
     {
-      // What another process has, and this one, alone, searches nothing for.
-      const bool isElsewhere = block == nullptr && !octree.Processes.AreSeveral();
-      const auto ofBlock = isElsewhere
-        ? OctreePass::Outputs(NumberOfPorts)
-        : this->Locate(octree, search, block, execution.Part(begin, begin + share));
+      const auto ofBlock =
+        this->Locate(octree, search, block, execution.Part(begin, begin + share));
       outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
       begin += share;
     }

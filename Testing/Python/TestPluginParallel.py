@@ -293,6 +293,17 @@ octree.SetInputData(mine)
 octree.UpdatePiece(rank, PROCESSES, 0)
 assert numpy.array_equal(rows(octree.GetOutputDataObject(0)), rows(run(mine, 1)[0]))
 
+# And so with other pieces than the processes' own.
+for number, pieces in [(rank, 2 * PROCESSES), ((rank + 1) % PROCESSES, PROCESSES)]:
+    octree = vtkHashedOctreeFilter()
+    octree.SetInputData(mine)
+    octree.UpdatePiece(number, pieces, 0)
+    assert numpy.array_equal(rows(octree.GetOutputDataObject(0)), rows(run(mine, 1)[0]))
+
+# A hyper tree grid has the points of all in the nodes above several parts.
+grid = run(mine, PROCESSES, OutputType=vtkHashedOctreeFilter.HyperTreeGrid)[0]
+assert arrays(grid.GetCellData())["PointCount"][0] == len(cube)
+
 # An error of all processes, and one process that is aborted.
 errors = []
 piece = run(make_points(cube[:0]), PROCESSES, errors)
