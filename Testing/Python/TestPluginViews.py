@@ -47,6 +47,7 @@ simple.Show(turned, alone)
 drawn_bounds = []
 for kind in ("Voxels", "HyperTreeGrid", "Voxels"):
     turned.OutputType = kind
+    turned.UpdatePipeline() # As by Apply: without it ParaView 5.13 draws nothing of another type.
     simple.Render(alone)
     drawn_bounds.append(alone.GetRenderer().ComputeVisiblePropBounds())
 assert drawn_bounds[0] == drawn_bounds[2] and drawn_bounds[0][0] < drawn_bounds[0][1], drawn_bounds
