@@ -10,11 +10,11 @@
 namespace hashedoctree
 {
 /**
- * Direct searches for the positions `first` to `last` - 1 of a span (PointSpan, PlaneSpan), one
- * after the other, for each of which it calls onLeaf(i, leaf) with what FindLeaf() finds. Where a
- * search begins in the table follows from its position alone. So the machine is asked for the
- * beginnings of a group of searches before the first of them waits for its own: the more of the
- * tree is outside of the caches the more that saves.
+ * Direct searches for the positions `first` to `last` - 1 of a span (PointSpan, PlaneSpan,
+ * KeySpan), one after the other, for each of which it calls onLeaf(i, leaf) with what FindLeaf()
+ * finds. Where a search begins in the table follows from its position alone. So the machine is
+ * asked for the beginnings of a group of searches before the first of them waits for its own: the
+ * more of the tree is outside of the caches the more that saves.
  *
  * Positions are placed as by Grid::GetKey(), also those that are outside the root or not finite.
  * getStartDepth(key) says where the search for a key at MaxDepth starts, in [0, MaxDepth]. Other

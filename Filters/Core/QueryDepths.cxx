@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "QueryDepths.h"
 
-#include "DirectSearch.h"
-#include "PointKeys.h"
+#include "DirectBatch.h"
 
 #include <algorithm>
 #include <array>
@@ -46,14 +45,14 @@ DepthHistogram MeasureQueryDepths(
     [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};
-      for (std::size_t i = first; i < last; ++i)
-      {
-        if (keys[i] != MortonKey<Dim>(0))
+      FindLeaves(
+        tree, KeySpan<Dim>{ keys.data(), keys.size() }, first, last,
+        [startDepth](MortonKey<Dim>) { return startDepth; },
+        [&counts, &keys](std::size_t i, const FoundLeaf<Dim>& leaf)
         {
-          const FoundLeaf<Dim> leaf = FindLeaf(tree, keys[i], startDepth);
-          ++counts[static_cast<std::size_t>(leaf.Key.GetDepth())];
-        }
-      }
+          const bool isCounted = keys[i] != MortonKey<Dim>(0);
+          counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += isCounted ? 1 : 0;
+        });
       return counts;
     });
 

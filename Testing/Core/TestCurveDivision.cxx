@@ -79,18 +79,12 @@ TYPED_TEST(TestCurveDivision, SearchesInThePartOfTheirKeyAreThoseInTheOneTree)
   ForEachDivision<dim>(
     [](const Octree<dim>& whole, const CurveBuilders<dim>& builders)
     {
-      std::mt19937_64 random(31);
-      constexpr std::uint64_t first = MortonKey<dim>::Root().GetFirstAtMaxDepth().GetValue();
-      CurveKeys<dim> keys;
-      for (int i = 0; i < 40; ++i)
-      {
-        keys.emplace_back(first | random() % first);
-      }
+      CurveKeys<dim> keys = MakeRandomKeys<dim>(40, 31);
       for (std::size_t part = 0; part < builders.Trees.size(); ++part)
       {
         const auto range = builders.Divided->GetRange(part);
         keys.push_back(range.First);
-        keys.emplace_back(std::max(range.Last.GetValue(), first));
+        keys.push_back(std::max(range.Last, CurveRange<dim>().First));
       }
       for (const MortonKey<dim> key : keys)
       {
@@ -154,12 +148,7 @@ TYPED_TEST(TestCurveDivision, OverlapsAreTheNextKeysAndNoOthers)
   constexpr int dim = TypeParam::value;
   using Division = CurveDivision<dim>;
   std::mt19937_64 random(61);
-  constexpr std::uint64_t first = MortonKey<dim>::Root().GetFirstAtMaxDepth().GetValue();
-  CurveKeys<dim> all;
-  for (int i = 0; i < 90; ++i)
-  {
-    all.emplace_back(first | random() % first);
-  }
+  CurveKeys<dim> all = MakeRandomKeys<dim>(90, 62);
   std::sort(all.begin(), all.end());
   // Where each of five parts begins; one is empty, one has less than most overlaps.
   const std::vector<std::size_t> begins{ 0, 40, 40, 43, 70, 90 };

@@ -23,8 +23,6 @@ TYPED_TEST(TestLeafNumberShifts, MakeNumbersOfPartsThoseOfTheWhole)
   ForEachDivision<dim>(
     [](const Octree<dim>& whole, const CurveBuilders<dim>& builders)
     {
-      std::mt19937_64 random(71);
-      constexpr std::uint64_t first = MortonKey<dim>::Root().GetFirstAtMaxDepth().GetValue();
       for (const EmptyOctants reading : { EmptyOctants::Leaves, EmptyOctants::Missing })
       {
         const LeafNumbers<dim> numbers(whole, reading);
@@ -36,9 +34,9 @@ TYPED_TEST(TestLeafNumberShifts, MakeNumbersOfPartsThoseOfTheWhole)
           const LeafNumbers<dim> ofPart(tree, reading);
           const auto shifts =
             FindLeafNumberShifts(tree, range, whole.GetDepthCounts(), before, reading, Execution());
-          CurveKeys<dim> keys = builders.Own[part];
+          CurveKeys<dim> keys = MakeRandomKeys<dim>(20, 71);
+          keys.insert(keys.end(), builders.Own[part].begin(), builders.Own[part].end());
           keys.push_back(range.First);
-          keys.emplace_back(first | random() % first);
           for (const MortonKey<dim> key : keys)
           {
             const FoundLeaf<dim> leaf = FindLeaf(tree, key, 0, reading);

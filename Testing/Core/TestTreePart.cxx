@@ -8,23 +8,6 @@
 
 using namespace hashedoctree;
 
-namespace
-{
-/** Keys all over the root. */
-template <int Dim>
-CurveKeys<Dim> MakeKeys()
-{
-  constexpr std::uint64_t first = MortonKey<Dim>::Root().GetFirstAtMaxDepth().GetValue();
-  std::mt19937_64 random(51);
-  CurveKeys<Dim> keys;
-  for (int i = 0; i < 200; ++i)
-  {
-    keys.emplace_back(first | random() % first);
-  }
-  return keys;
-}
-}
-
 template <typename Dimension>
 class TestTreePart : public ::testing::Test
 {
@@ -54,7 +37,7 @@ TYPED_TEST(TestTreePart, BuildersStartWhereTheOneTreeDoes)
   ForEachDivision<dim>(
     [](const Octree<dim>& whole, const CurveBuilders<dim>& builders)
     {
-      const CurveKeys<dim> keys = MakeKeys<dim>();
+      const CurveKeys<dim> keys = MakeRandomKeys<dim>(200, 51);
       for (const auto frequency :
         { FrequencyModel::Leaves, FrequencyModel::Points, FrequencyModel::Grid })
       {
@@ -81,7 +64,7 @@ TYPED_TEST(TestTreePart, BuildersCompareSearchesAsInTheOneTree)
   ForEachDivision<dim>(
     [](const Octree<dim>& whole, const CurveBuilders<dim>& builders)
     {
-      const CurveKeys<dim> keys = MakeKeys<dim>();
+      const CurveKeys<dim> keys = MakeRandomKeys<dim>(200, 51);
       Comparison expected(whole, {});
       expected.SetQueryDepths(whole.GetDepthCounts().EmptyLeaves);
       builders.RunTogether(whole,

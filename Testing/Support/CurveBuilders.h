@@ -15,6 +15,21 @@
 template <int Dim>
 using CurveKeys = std::vector<hashedoctree::MortonKey<Dim>>;
 
+/** Keys all over the root. */
+template <int Dim>
+CurveKeys<Dim> MakeRandomKeys(std::size_t count, unsigned seed)
+{
+  constexpr std::uint64_t first =
+    hashedoctree::MortonKey<Dim>::Root().GetFirstAtMaxDepth().GetValue();
+  std::mt19937_64 random(seed);
+  CurveKeys<Dim> keys;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    keys.emplace_back(first | random() % first);
+  }
+  return keys;
+}
+
 /** Adds up values of several threads, each of which waits for the others. */
 class AddingUp
 {
