@@ -12,7 +12,7 @@
 
 namespace hashedoctree
 {
-int ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
+void ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
 {
   std::string problem;
   try
@@ -40,6 +40,5 @@ int ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
   {
     vtkErrorWithObjectMacro(algorithm, << problem);
   }
-  return problem.empty() ? 1 : 0;
 }
 }

@@ -8,25 +8,25 @@
 namespace hashedoctree
 {
 /** What RunReportingProblems() does about the exception that is being handled. */
-int ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
+void ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
 
 /**
- * Runs the body of a RequestData() and returns what that must return. The body throws Interrupted
- * when the algorithm was aborted, and std::exception with what to tell the user, which becomes one
- * error of the algorithm. In both cases all outputs are emptied. Private to the module.
+ * Runs the body of a RequestData(). The body throws Interrupted when the algorithm was aborted, and
+ * std::exception with what to tell the user, which becomes one error of the algorithm. In both
+ * cases all outputs are emptied, and the request is done: where one fails, VTK leaves what follows
+ * as it was, and ParaView's views never draw the filter again. Private to the module.
  */
 template <typename Body>
-int RunReportingProblems(
+void RunReportingProblems(
   vtkAlgorithm* algorithm, vtkInformationVector* outputVector, const Body& body)
 {
   try
   {
     body();
-    return 1;
   }
   catch (...)
   {
-    return ReportProblem(algorithm, outputVector);
+    ReportProblem(algorithm, outputVector);
   }
 }
 }

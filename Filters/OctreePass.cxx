@@ -137,7 +137,7 @@ OctreePass::OctreePass(
 }
 
 void OctreePass::ExecuteAny(
-  vtkDataObject* input, const Targets& targets, bool isPiece, const MakeOutputs& makeOutputs)
+  vtkDataObject* input, const Targets& targets, const MakeOutputs& makeOutputs)
 {
   const Execution execution = MakeExecution(this->Algorithm);
   auto* composite = vtkDataObjectTree::SafeDownCast(input);
@@ -156,22 +156,7 @@ void OctreePass::ExecuteAny(
   }
   this->AllPoints = this->Processes.Sum(this->AllPoints);
   this->SkippedPoints = this->Processes.Sum(this->SkippedPoints);
-  if (this->SkippedPoints > 0 && this->Processes.IsFirst())
-  {
-    WarnOfSkippedPoints(
-      this->Algorithm, this->SkippedPoints, static_cast<vtkIdType>(this->AllPoints));
-  }
-  if (this->UsedPoints == 0 && (!isPiece || this->Processes.AreSeveral()))
-  {
-    this->RefuseInput();
-  }
-  if (this->ImplicitBlocks > 0 && this->Processes.IsFirst())
-  {
-    vtkWarningWithObjectMacro(this->Algorithm,
-      << "Blocks left out because their points have no coordinates of their own, as those of "
-         "images: "
-      << this->ImplicitBlocks << ". vtkConvertToPointCloud gives them some.");
-  }
+  this->TellOfUnusedPoints();
 }
 
 void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
@@ -293,17 +278,34 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
   return ports;
 }
 
-void OctreePass::RefuseInput() const
+void OctreePass::TellOfUnusedPoints() const
 {
-  if (this->AllPoints == 0)
+  if (this->ImplicitBlocks > 0 && this->AllPoints == 0)
   {
-    throw std::invalid_argument(this->ImplicitBlocks > 0
-        ? "The points of the input have no coordinates of their own, as those of images; "
-          "vtkConvertToPointCloud gives them some."
-        : "The input has no points; give a data set with points.");
+    throw std::invalid_argument(
+      "The points of the input have no coordinates of their own, as those "
+      "of images; vtkConvertToPointCloud gives them some.");
   }
-  throw std::invalid_argument(this->Root
-      ? "No point with finite coordinates lies in CustomBounds; widen them."
-      : "No point has coordinates that are finite and not too large; mend the input.");
+  if (!this->Processes.IsFirst())
+  {
+    return; // All would warn of the same.
+  }
+  if (this->SkippedPoints > 0)
+  {
+    WarnOfSkippedPoints(
+      this->Algorithm, this->SkippedPoints, static_cast<vtkIdType>(this->AllPoints));
+  }
+  if (this->UsedPoints == 0 && this->SkippedPoints < this->AllPoints)
+  {
+    vtkWarningWithObjectMacro(
+      this->Algorithm, << "No point with finite coordinates lies in CustomBounds; widen them.");
+  }
+  if (this->ImplicitBlocks > 0)
+  {
+    vtkWarningWithObjectMacro(this->Algorithm,
+      << "Blocks left out because their points have no coordinates of their own, as those of "
+         "images: "
+      << this->ImplicitBlocks << ". vtkConvertToPointCloud gives them some.");
+  }
 }
 }

@@ -47,25 +47,16 @@ public:
 
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
-   * finite, and once of blocks without coordinates of their own. Throws Interrupted, and
-   * std::exception with what to tell the user, also when there is no point to use in all of the
-   * input of all processes, unless that is one of several pieces that others have. */
+   * finite, once where a given root has none of those that are, and once of blocks without
+   * coordinates of their own. Throws Interrupted, and std::exception with what to tell the user,
+   * also when there are no other blocks with points. */
   template <typename Function>
-  void Execute(
-    vtkDataObject* input, const Targets& targets, bool isPiece, const Function& makeOutputs)
+  void Execute(vtkDataObject* input, const Targets& targets, const Function& makeOutputs)
   {
-    this->ExecuteAny(input, targets, isPiece,
+    this->ExecuteAny(input, targets,
       [&makeOutputs](const AnyPointsOctree& any, const Execution& execution) {
         return std::visit([&](const auto& octree) { return makeOutputs(octree, execution); }, any);
       });
-  }
-  /** The same with the output ports for targets. */
-  template <typename Function>
-  void Execute(vtkDataObject* input, vtkInformation* request, vtkInformationVector* outputVector,
-    const Function& makeOutputs)
-  {
-    this->Execute(
-      input, GetPorts(outputVector), IsPieceRequested(request, outputVector), makeOutputs);
   }
 
   /** Those who made the trees together, of all calls so far. */
@@ -76,8 +67,7 @@ public:
 private:
   using MakeOutputs = std::function<Outputs(const AnyPointsOctree&, const Execution&)>;
 
-  void ExecuteAny(
-    vtkDataObject* input, const Targets& targets, bool isPiece, const MakeOutputs& makeOutputs);
+  void ExecuteAny(vtkDataObject* input, const Targets& targets, const MakeOutputs& makeOutputs);
   void ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
     const MakeOutputs& makeOutputs, const Execution& execution);
   /** The data object is null where a process has nothing of a block. */
@@ -87,7 +77,8 @@ private:
   /** The given root, or the box around the selected points of all processes; nothing if there are
    * none. */
   std::optional<Box<3>> FindRoot(const PointSelection<3>& selection);
-  [[noreturn]] void RefuseInput() const;
+  /** Of what all processes have met together. Throws std::invalid_argument. */
+  void TellOfUnusedPoints() const;
 
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;

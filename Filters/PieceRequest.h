@@ -27,14 +27,15 @@ ProcessGroup FindProcesses(
 void ForgetOutputs(vtkInformationVector* outputVector);
 
 /** RunReportingProblems() of body(processes), which they run together. After a problem of one all
- * of them execute again at the next update, since one that was aborted does. */
+ * of them execute again at the next update, since one that was aborted does. Returns what the
+ * RequestData() must return. */
 template <typename Body>
 int RunTogether(vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request,
   vtkInformationVector* outputVector, const Body& body)
 {
   const ProcessGroup processes = FindProcesses(algorithm, request, outputVector);
   bool isDone = false;
-  const int result = RunReportingProblems(algorithm, outputVector,
+  RunReportingProblems(algorithm, outputVector,
     [&]
     {
       processes.Together([&] { body(processes); });
@@ -44,7 +45,7 @@ int RunTogether(vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request,
   {
     ForgetOutputs(outputVector);
   }
-  return result;
+  return 1;
 }
 }
 

@@ -177,7 +177,8 @@ int vtkHashedOctreeFilter::RequestData(
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
       OctreePass(this, processes, root)
-        .Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector, Run(this));
+        .Execute(
+          vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector), Run(this));
     });
 }
 

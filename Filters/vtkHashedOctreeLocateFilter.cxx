@@ -102,22 +102,17 @@ public:
 
   /** Ports 0 and 1. Throws std::exception with what to tell the user, and Interrupted. */
   void Execute(const ProcessGroup& processes, vtkDataObject* points, vtkDataObject* queries,
-    vtkInformation* request, vtkInformationVector* outputVector)
+    vtkInformationVector* outputVector)
   {
     const QueryBlocks blocks(points, queries, outputVector, processes);
     OctreePass pass(this->Self, processes);
-    this->IsPiece = IsPieceRequested(request, outputVector);
     std::size_t all = 0;
     for (vtkDataSet* block : blocks.Get())
     {
       all += block != nullptr ? static_cast<std::size_t>(block->GetNumberOfPoints()) : 0;
     }
-    if (processes.Sum(all) == 0 && this->HasAll(processes))
-    {
-      throw std::invalid_argument("There are no query points; give a data set with points.");
-    }
     this->FiniteQueries = all;
-    pass.Execute(points, blocks.GetTargets(), this->IsPiece,
+    pass.Execute(points, blocks.GetTargets(),
       [&](const auto& octree, const Execution& execution)
       { return this->LocateBlocks(octree, blocks.Get(), execution); });
     blocks.FillOutputs();
@@ -132,12 +127,6 @@ public:
   }
 
 private:
-  /** Whether no others than these processes have pieces of the inputs. */
-  bool HasAll(const ProcessGroup& processes) const
-  {
-    return !this->IsPiece || processes.AreSeveral();
-  }
-
   /** The outputs for each block of queries, one after the other. */
   template <int Dim>
   OctreePass::Outputs LocateBlocks(const PointsOctree<Dim>& octree,
@@ -155,10 +144,6 @@ private:
         this->Locate(octree, search, block, execution.Part(begin, begin + share));
       outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
       begin += share;
-    }
-    if (octree.Processes.Sum(this->FiniteQueries) == 0 && this->HasAll(octree.Processes))
-    {
-      throw std::invalid_argument("No query point has finite coordinates; mend the query points.");
     }
     return outputs;
   }
@@ -228,15 +213,14 @@ private:
     const DepthHistogram predicted =
       GetDepthHistogram(octree.Counts, GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     rows.push_back({ "Entropy bound", -1, GetEntropyBound(predicted), GetEntropyBound(depths) });
-    if (!this->HasAll(octree.Processes) && GetTotal(depths) == 0)
+    if (GetTotal(depths) == 0)
     {
-      rows.clear(); // The pieces that have queries have the rows.
+      rows.clear(); // There is no mean, and no best start depth.
     }
     FillSearchTable(table, rows);
   }
 
   vtkHashedOctreeLocateFilter* Self;
-  bool IsPiece = false;
   std::size_t FiniteQueries = 0; ///< Of this process, as the last tree counted them.
 };
 
@@ -335,7 +319,7 @@ int vtkHashedOctreeLocateFilter::RequestData(
     [&](const ProcessGroup& processes)
     {
       Run(this).Execute(processes, vtkDataObject::GetData(inputVector[0]),
-        vtkDataObject::GetData(inputVector[1]), request, outputVector);
+        vtkDataObject::GetData(inputVector[1]), outputVector);
     });
 }
 

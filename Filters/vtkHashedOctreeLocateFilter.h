@@ -58,11 +58,11 @@
  * - MeasuredMean (double): mean nodes examined over the queries; of the bound, that of their
  * depths.
  *
- * Progress, abort, threads, points that are not finite and empty inputs: as in
- * vtkHashedOctreeFilter; but leaves are numbered and local start depths chosen in passes over the
- * nodes during which no abort is heeded. That, too, is done once for each tree, whatever the number
- * of blocks of queries. No queries in any block, or none with finite coordinates, are an error, but
- * for a piece whose other pieces are not of this group of processes.
+ * Progress, abort, threads, errors, and points that are not finite: as in vtkHashedOctreeFilter;
+ * but leaves are numbered and local start depths chosen in passes over the nodes during which no
+ * abort is heeded. That, too, is done once for each tree, whatever the number of blocks of queries.
+ * Without points for a tree the outputs are empty; without queries with finite coordinates the
+ * table has no rows.
  *
  * Several processes that have the pieces of both inputs make one tree together, and send each query
  * to the process that has its part of the tree. Each gives its own queries back, with what they

@@ -298,7 +298,7 @@ int vtkHashedOctreeNeighborsFilter::RequestData(
       Run run(this);
       run.RequireQuery();
       OctreePass pass(this, processes);
-      pass.Execute(vtkDataObject::GetData(inputVector[0]), request, outputVector,
+      pass.Execute(vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector),
         [&run](const auto& octree, const Execution& execution)
         { return run.Process(octree, execution); });
       run.CheckQueryLeaves(IsPieceRequested(request, outputVector), pass.GetProcesses());

@@ -40,14 +40,14 @@
  * or too large). The output keeps the field data of the input, but for arrays of these names.
  *
  * Points with a coordinate that is not finite or too large are left out with one warning. An input
- * without points, or without one that can be used, is an error, as in vtkHashedOctreeFilter. So is
- * a LeafKey that names no leaf; of a composite data set the blocks that have no such leaf stay
- * empty, and one must have it; a piece whose other pieces are not of this group of processes stays
- * empty without an error, since another may have it. A Center that is not finite is an error, and
- * so is a Radius that is negative or NaN, where it is used. After an error the output is empty. The
- * result does not depend on the number of threads (vtkSMPTools), which build the tree and fill
- * arrays; the search takes one. Progress is reported and an abort heeded but for the search itself;
- * an abort leaves the output empty.
+ * without points, or without one that can be used, has no neighbours: the output is empty. A
+ * LeafKey that names no leaf is an error; of a composite data set the blocks that have no such leaf
+ * stay empty, and one must have it; a piece whose other pieces are not of this group of processes
+ * stays empty without an error, since another may have it. A Center that is not finite is an error,
+ * and so is a Radius that is negative or NaN, where it is used. After an error the output is empty,
+ * and the update done, as in vtkHashedOctreeFilter. The result does not depend on the number of
+ * threads (vtkSMPTools), which build the tree and fill arrays; the search takes one. Progress is
+ * reported and an abort heeded but for the search itself; an abort leaves the output empty.
  *
  * Of several processes that have the pieces of a data set each gives the leaves in its part of the
  * tree, in the order of the search; one has the query leaf. Field data are those of one search in

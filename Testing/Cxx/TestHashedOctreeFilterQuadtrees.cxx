@@ -367,16 +367,19 @@ TEST(TestHashedOctreeFilterQuadtrees, CustomBoundsDecideInPlaceOfThePoints)
   filter.UpdateInError("bounds");
 }
 
-TEST(TestHashedOctreeFilterQuadtrees, WithoutPointsInTheBoundsAreAnError)
+TEST(TestHashedOctreeFilterQuadtrees, WithoutPointsInTheBoundsMakeNothing)
 {
   TestedFilter filter(PutInSpace(MakeUniformPoints<2, double>(10, 69), AllPlanes[0], Across));
   filter->SetDimension(Filter::Two);
   filter->UseCustomBoundsOn();
-  filter.UpdateInError("CustomBounds");
+  filter.UpdateWithoutErrors();
+  filter.ExpectWarning("CustomBounds");
+  filter.ExpectEmptyOutputs();
   filter->UseCustomBoundsOff();
   filter->SetInputData(MakePolyData({ NAN, 0, 0 }));
-  filter->Update();
-  EXPECT_EQ(filter.Errors.size(), 1U);
+  filter.UpdateWithoutErrors();
+  filter.ExpectWarning("1 of 1 points");
+  filter.ExpectEmptyOutputs();
 }
 
 TEST(TestHashedOctreeFilterQuadtrees, TablesAreThoseOfFourChildren)

@@ -44,33 +44,49 @@ void ExpectSameLocations(TestedLocateFilter& filter, TestedLocateFilter& other)
 }
 }
 
-TEST(TestHashedOctreeLocateFilterInputs, NoPointsAreAnError)
+TEST(TestHashedOctreeLocateFilterInputs, NoPointsMakeNothing)
 {
   for (const auto& empty : { MakePolyData({}), vtkSmartPointer<vtkPolyData>::New() })
   {
     TestedLocateFilter filter(empty, MakeUniform(10, 342));
-    filter.UpdateInError("The input has no points");
+    filter.Update();
+    filter.ExpectEmptyOutputs();
+    EXPECT_EQ(filter.Warnings, std::vector<std::string>());
     ExpectToWorkAgain(filter);
   }
 }
 
-TEST(TestHashedOctreeLocateFilterInputs, NoQueriesAreAnError)
+TEST(TestHashedOctreeLocateFilterInputs, NoQueriesAreNotCompared)
 {
   for (const auto& empty : { MakePolyData({}), vtkSmartPointer<vtkPolyData>::New() })
   {
     TestedLocateFilter filter(MakeUniform(10, 343), empty);
-    filter.UpdateInError("no query points");
-    ExpectToWorkAgain(filter);
-    filter->SetInputData(1, empty); // Nothing of the run before is left.
-    filter.UpdateInError("no query points");
+    for (int run = 0; run < 2; ++run) // Nothing of the run before is left.
+    {
+      filter->SetInputData(1, empty);
+      filter.Update();
+      EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 0);
+      EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 0);
+      EXPECT_EQ(filter.GetTable()->GetNumberOfColumns(), 4);
+      EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), 0);
+      EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+      ExpectToWorkAgain(filter);
+    }
   }
 }
 
-TEST(TestHashedOctreeLocateFilterInputs, NoFiniteQueryIsAnError)
+TEST(TestHashedOctreeLocateFilterInputs, NoFiniteQueryIsLocated)
 {
   TestedLocateFilter filter(
     MakeUniform(10, 344), MakePolyData({ NotANumber, 0, 0, 0, Infinity, 0, 0, 0, -Infinity }));
-  filter.UpdateInError("No query point has finite coordinates");
+  filter.Update();
+  filter.ExpectWarning("3 of 3 query points");
+  ASSERT_EQ(filter.GetLocated()->GetNumberOfPoints(), 3);
+  for (vtkIdType query = 0; query < 3; ++query)
+  {
+    EXPECT_EQ(filter.Get("LeafId", query), -1);
+  }
+  EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 0);
   ExpectToWorkAgain(filter);
 }
 

@@ -30,6 +30,13 @@ public:
     this->ExpectThreeOutputs();
   }
   /** Update() of an input that the filter must refuse, with one error that says `words`. */
+  /** Runs it, and expects empty outputs without a word. */
+  void UpdateToNothing()
+  {
+    this->UpdateWithoutErrors();
+    EXPECT_EQ(this->Warnings, std::vector<std::string>());
+    this->ExpectEmptyOutputs();
+  }
   void UpdateInError(const std::string& words)
   {
     this->UpdateExpectingError(words);

@@ -51,6 +51,13 @@ public:
     EXPECT_EQ(this->GetCells()->GetFieldData()->GetNumberOfArrays(), 0);
   }
   /** Update() of what the filter must refuse, with one error that says `words`. */
+  /** Runs it, and expects an empty output without a word. */
+  void UpdateToNothing()
+  {
+    this->UpdateWithoutErrors();
+    EXPECT_EQ(this->Warnings, std::vector<std::string>());
+    this->ExpectEmptyOutput();
+  }
   void UpdateInError(const std::string& words)
   {
     this->UpdateExpectingError(words);

@@ -53,6 +53,23 @@ for kind in ("Voxels", "HyperTreeGrid", "Voxels"):
 assert drawn_bounds[0] == drawn_bounds[2] and drawn_bounds[0][0] < drawn_bounds[0][1], drawn_bounds
 assert all(abs(a - b) < 1e-5 for a, b in zip(*drawn_bounds[:2])), drawn_bounds
 
+# A view goes on after an error, and after an input without points, both of which it shows as nothing.
+heights = simple.Elevation(Input=octree.Input, LowPoint=[0.0, 0.0, -0.5], HighPoint=[0.0, 0.0, 0.5])
+some = simple.Threshold(Input=heights, Scalars=["POINTS", "Elevation"])
+mended = simple.HashedOctree(Input=some, UseCustomBounds=1)
+simple.Show(mended, alone)
+simple.Hide(turned, alone)
+for lower, upper, least in ((0.0, 0.5, 0.0), (0.5, 0.0, 0.0), (-0.5, 0.5, 0.0), (-0.5, 0.5, 2.0),
+                            (0.0, 0.5, 0.0)):
+    mended.CustomBounds = [lower, upper] * 3
+    some.LowerThreshold, some.UpperThreshold = least, 3.0
+    simple.Render(alone)
+    bounds = alone.GetRenderer().ComputeVisiblePropBounds()
+    if lower > upper or least > 1.0:
+        assert bounds[0] > bounds[1], bounds
+    else:
+        assert abs(bounds[0] - lower) < 0.1 and abs(bounds[1] - upper) < 0.1, bounds
+
 view, shown = show(2)
 assert view.GetXMLName() == "HashedOctreeCostCurvesView", view.GetXMLName()
 assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis
