@@ -21,8 +21,10 @@ from vtkmodules.vtkCommonDataModel import vtkTable
 
 PICTURE_SIZE = 1600, 1000
 HALF = PICTURE_SIZE[0] // 2, 860  # of a picture of the octree, above its legend
+MOST_STEPS = 33  # depths and costs are less
 # A slice through more leaves than these takes too long for a demo.
 MAX_LEAVES_IN_SLICE = 4_000_000
+GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu"
 TEXT, EDGE, WHITE = [0.13] * 3, [0.2] * 3, [1.0] * 3
 # From shallow or cheap to deep or dear: ColorBrewer's Spectral, reversed and its middle less pale.
 SCALE = np.array([[0x5e, 0x4f, 0xa2], [0x32, 0x88, 0xbd], [0x66, 0xc2, 0xa5], [0x9a, 0xd6, 0x92], [0xd9, 0xea, 0x72],
@@ -64,22 +66,20 @@ def read_points(path):
                         "give a file with points")
     if not os.access(path, os.R_OK):
         raise DemoError(f"{path} may not be read; change its permissions or give another file")
-    unreadable = DemoError(f"ParaView cannot read {path}; give a file with points, "
-                           "such as .ply .obj .stl .vtp .vtk .vtu")
     try:
         source = simple.OpenDataFile(path)
     except RuntimeError:
         source = None
     if not source:
-        raise unreadable
+        raise DemoError(f"ParaView cannot read {path}; {GOOD_FILES}")
     simple.RenameSource(os.path.basename(path), source)
     source.UpdatePipeline()
-    source = to_point_set(source)
-    if not source or source.GetDataInformation().GetNumberOfPoints() == 0:
-        if source and has_appended_data(path):
+    source = to_point_set(source, path)
+    if source.GetDataInformation().GetNumberOfPoints() == 0:
+        if has_appended_data(path):
             raise DemoError(f"{path} gave no points; if it holds some, save it as ascii or inline binary: ParaView 5.11 "
                             "cannot read appended data with the expat of Debian's security updates")
-        raise DemoError(f"{path} holds no points; give a file with points")
+        raise DemoError(f"ParaView finds no points in {path}; {GOOD_FILES}")
     return source
 
 
@@ -89,19 +89,36 @@ def has_appended_data(path):
         return b"<VTKFile" in file.read(1024) and b"<AppendedData" in file.read()
 
 
-def to_point_set(source):
-    """Blocks become one data set, a grid with implied points gets explicit ones; None for what has no points."""
+def to_point_set(source, path):
+    """Blocks become one data set, rows of a table points, and a grid with implied points gets explicit ones."""
     information = source.GetDataInformation().DataInformation
     if information.IsCompositeDataSet():
         source = simple.MergeBlocks(Input=source, MergePoints=0)
         source.UpdatePipeline()
         information = source.GetDataInformation().DataInformation
+    if information.DataSetTypeIsA("vtkTable"):
+        return to_points(source, path)
     if not information.DataSetTypeIsA("vtkDataSet"):
-        return None
+        raise DemoError(f"ParaView reads {path} as a {information.GetDataClassName()}, which is no data set with points; "
+                        "give it in another format")
     if not information.DataSetTypeIsA("vtkPointSet"):
         source = simple.ConvertToPointCloud(Input=source)
         source.UpdatePipeline()
     return source
+
+
+def to_points(rows, path):
+    """Points from the columns x, y and z of a table, or from those that ParaView writes."""
+    row_data = rows.GetDataInformation().DataInformation.GetRowDataInformation()
+    every = [row_data.GetArrayInformation(i).GetName() for i in range(row_data.GetNumberOfArrays())]
+    columns = {name.lower(): name for name in every}
+    for names in ("xyz", ("points:0", "points:1", "points:2"), ("points_0", "points_1", "points_2")):
+        if all(name in columns for name in names):
+            points = simple.TableToPoints(Input=rows)
+            points.XColumn, points.YColumn, points.ZColumn = (columns[name] for name in names)
+            points.UpdatePipeline()
+            return points
+    raise DemoError(f"{path} is a table without columns x, y and z; name those of the coordinates so, in its first line")
 
 
 def apply_octree(source, path):
@@ -133,10 +150,14 @@ def write_csv(path, columns):
 
 
 def human_bytes(count):
-    for unit in ("bytes", "KiB", "MiB", "GiB"):
-        if count < 1024 or unit == "GiB":
-            return f"{count:.0f} {unit}" if unit == "bytes" else f"{count:.1f} {unit}"
+    """In the largest unit of which it is one or more, and exactly."""
+    exact = f"{count:,.0f} bytes"
+    if count < 1024:
+        return exact
+    for unit in ("KiB", "MiB", "GiB"):
         count /= 1024
+        if count < 1024 or unit == "GiB":
+            return f"{count:.1f} {unit} ({exact})"
 
 
 def summary(path, figures):
@@ -155,8 +176,8 @@ def summary(path, figures):
              ("mean cost from it", f"{figures['MeanHitCost']:.3f} nodes, leaves equally often"),
              ("mean cost from root", f"{figures['MeanRootCost']:.3f} nodes"),
              ("ratio", f"{figures['CostRatio']:.2f}"),
-             ("tree", f"{human_bytes(figures['TreeBytes'])} ({count('TreeBytes')} bytes)"),
-             ("build time", f"{figures['BuildSeconds']:.3f} s")]
+             ("tree", human_bytes(figures["TreeBytes"])),
+             ("build time", f"{1000 * figures['BuildSeconds']:,.1f} ms")]
     if figures["SkippedPoints"]:
         lines.append(("skipped", f"{count('SkippedPoints')} points that are not finite, or too large"))
     return "\n".join(f"{name:<22} {value}" for name, value in lines)
@@ -238,13 +259,15 @@ def most_varied_place(octree, stage):
 
 
 def set_colors(array, least, greatest):
-    """One colour and one label for each whole number from the least to the greatest."""
-    steps = np.arange(int(least), int(greatest) + 1)
-    at = (steps - steps[0]) / max(1, len(steps) - 1) * (len(SCALE) - 1)
+    """One colour and one label for each whole number, of which those in the data are in the legend; the whole scale for
+    those from the least to the greatest, since the others appear only if the octree changes."""
+    steps = np.arange(MOST_STEPS)
+    at = np.clip((steps - least) / max(1, greatest - least), 0, 1) * (len(SCALE) - 1)
     colors = np.column_stack([np.interp(at, np.arange(len(SCALE)), channel) for channel in SCALE.T])
     function = simple.GetColorTransferFunction(array)
     function.InterpretValuesAsCategories = 1
     function.AnnotationsInitialized = 1
+    function.ShowCategoricalColorsinDataRangeOnly = 1
     function.Annotations = [str(step) for step in steps for _ in range(2)]
     function.IndexedColors = list(colors.ravel())
     return function
@@ -282,7 +305,7 @@ def show_whole(stage, octree, cut, figures):
     """A view of what is flat with the slice behind it, of the rest of the slice alone."""
     view, shown = white_view(*HALF), []
     if stage.flat or not cut:
-        shown.append(show_occupied(octree, view, figures, edges=False))
+        shown.append(show_occupied(octree, view, figures, stage.shows_edges(figures, HALF[1])))
     if cut:
         # Edges of leaves that are only a few pixels wide would hide their colours.
         edged = int(np.log2(HALF[0] / 6))
@@ -300,7 +323,8 @@ def show_leaves(stage, octree, figures):
     if stage.flat:
         place, depth = most_varied_place(octree, stage)
         # Nearer still, and the leaves would lie before what the camera can see along with the rest.
-        stage.look_closely(view, place, max(80 / 2 ** depth, 0.2 if are_dots(figures) else 0.02) * stage.side)
+        nearest = 0.2 if are_dots(figures) else 0.02
+        stage.look_closely(view, place, np.clip(80 / 2 ** depth, nearest, 0.4) * stage.side)
     return view, shown
 
 
@@ -362,27 +386,30 @@ def octree_pictures(folder, stage, source, octree, figures):
 
 # ---- Charts ---------------------------------------------------------------------------------------------------------
 
-def histogram_view(octree, figures, depth_step=1):
-    view = simple.CreateView("HashedOctreeDepthHistogramView")
-    simple.Show(simple.OutputPort(octree, 1), view)
+def chart_view(octree, port):
+    """The chart of a table, which follows what becomes of the octree."""
+    view = simple.CreateView({1: "HashedOctreeDepthHistogramView", 2: "HashedOctreeCostCurvesView"}[port])
+    simple.Show(simple.OutputPort(octree, port), view)
+    return view
+
+
+def title_histogram(view, octree, figures):
+    """For a picture: numbers, and axes that fit the table as it is."""
+    leaves, empty = figures["NumberOfLeaves"], figures["NumberOfEmptyLeaves"]
+    view.ChartTitle = f"{leaves:,.0f} leaves, {empty:,.0f} of them empty" if leaves != 1 else "One leaf"
     histogram = table(octree, 1)
-    view.ChartTitle = f"{figures['NumberOfLeaves']:,.0f} leaves, {figures['NumberOfEmptyLeaves']:,.0f} of them empty"
-    view.ChartTitleFontSize = 12
-    label_axis(view, "Bottom", -0.6, histogram["Depth"].max() + 0.6, depth_step)
+    label_axis(view, "Bottom", -0.6, histogram["Depth"].max() + 0.6, 1)
     most = max(histogram[name].max() for name in ("Leaves", "EmptyLeaves", "Points"))
     label_axis(view, "Left", 0, 1.05 * most, step_between_labels(most))
-    return view
 
 
-def cost_view(octree, figures, depth_step=1):
-    view = simple.CreateView("HashedOctreeCostCurvesView")
-    simple.Show(simple.OutputPort(octree, 2), view)
+def title_costs(view, octree, figures):
+    """The same for costs, and a mark at the start depth."""
     view.ChartTitle = f"{figures['MeanHitCost']:.2f} nodes from depth {figures['StartDepth']:.0f}, " \
                       f"{figures['MeanRootCost']:.2f} from the root"
-    view.ChartTitleFontSize = 12
-    label_axis(view, "Bottom", -0.1, figures["DeepestDepth"] + 0.1, depth_step)
+    label_axis(view, "Bottom", -0.1, table(octree, 2)["StartDepth"].max() + 0.1, 1)
     label_axis(view, "Left", 0, highest_cost(octree) + 0.5, step_between_labels(highest_cost(octree)))
-    return view
+    mark_start_depth(view, octree, figures)
 
 
 def highest_cost(octree):
@@ -437,10 +464,12 @@ def chart_picture(path, view, axis_titles, legend_position):
 
 
 def chart_pictures(folder, octree, figures):
-    chart_picture(os.path.join(folder, "depth-histogram.png"), histogram_view(octree, figures),
+    view = chart_view(octree, 1)
+    title_histogram(view, octree, figures)
+    chart_picture(os.path.join(folder, "depth-histogram.png"), view,
                   ("Depth (0 = root)", "Number at this depth"), (160, 800))
-    view = cost_view(octree, figures)
-    mark_start_depth(view, octree, figures)
+    view = chart_view(octree, 2)
+    title_costs(view, octree, figures)
     chart_picture(os.path.join(folder, "cost-curves.png"), view,
                   ("Start depth of the search (0 = root)", "Nodes examined to find a leaf, mean"), (680, 710))
 
@@ -462,9 +491,8 @@ def show(path):
     shown = show_occupied(octree, view, figures, stage.shows_edges(figures, view.ViewSize[1]))
     shown.SetScalarBarVisibility(view, True)
     stage.look(view, 0.4, 0.75 if stage.flat else 0.35)
-    depth_step = 1 if figures["DeepestDepth"] <= 10 else 2  # as many labels as small charts have room for
-    layout.AssignView(5, histogram_view(octree, figures, depth_step))
-    layout.AssignView(6, cost_view(octree, figures, depth_step))
+    layout.AssignView(5, chart_view(octree, 1))
+    layout.AssignView(6, chart_view(octree, 2))
     simple.SetActiveSource(octree)
     simple.SetActiveView(view)
 

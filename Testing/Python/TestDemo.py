@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What start.sh --batch writes: of files that bring more than points, and of points that have twins."""
+"""What start.sh --batch writes: of files that bring more than points, of tables, and of points that have twins."""
 import csv
 import os
 import sys
@@ -63,6 +63,18 @@ expect_demo(write_points("ball.vtp", random.standard_normal((400, 3)), words, no
 flat = np.column_stack((random.random((900, 2)), np.zeros(900)))
 expect_demo(write_points("twins.vtp", np.repeat(random.random((300, 3)), 2, axis=0)), 300)
 expect_demo(write_points("flat twins.vtp", np.repeat(flat, 2, axis=0)), 900)
+
+# Rows of a table, of whatever columns ParaView or a scanner writes.
+for first_line in ("Intensity,X,Y,Z", "x,y,z,Points:3", "Points:0,Points:1,Points:2,a", "Points_0,Points_1,Points_2,a"):
+    rows = os.path.join(folder, "rows.csv")
+    np.savetxt(rows, random.random((200, 4)), delimiter=",", header=first_line, comments="")
+    expect_demo(rows, 200)
+np.savetxt(rows, random.random((200, 4)), delimiter=",")
+try:
+    demo.write_all(rows, folder)
+    sys.exit("A table is shown of which nobody knows the coordinates.")
+except demo.DemoError as error:
+    assert "without columns x, y and z" in str(error), error
 
 try:
     demo.write_all(os.path.join(folder, "missing.vtp"), folder)
