@@ -352,7 +352,7 @@ std::size_t PointTree<Dim, Real>::FindFirstBlockAt(int depth) const
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::BuildNested(PointSpan<Dim, Real> points, const Execution& execution)
 {
-  if (!this->PartsAllPlaces() || this->Tree.GetDeepestDepth() < MortonKey<Dim>::MaxDepth)
+  if (this->Tree.GetDeepestDepth() < MortonKey<Dim>::MaxDepth)
   {
     return;
   }

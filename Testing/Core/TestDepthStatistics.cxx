@@ -48,6 +48,7 @@ TEST(TestDepthStatistics, MeanDepthIsRounded)
   const std::uint64_t many = std::uint64_t(1) << 62;
   EXPECT_EQ(GetMeanDepth({ many, many }), 1);
   EXPECT_EQ(GetMeanDepth({ many + 1, many }), 0);
+  EXPECT_EQ(GetMeanDepth({ 0, 0, 2 * many }), 2);
 }
 
 TEST(TestDepthStatistics, MedianCostsTheLeast)

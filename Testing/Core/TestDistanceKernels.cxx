@@ -356,6 +356,33 @@ TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
   }
 }
 
+TYPED_TEST(TestDistanceKernels, CornersOfTheSmallestBoxesAreNeverNearerThanTheyAre)
+{
+  // One step wide, and the place about as far from one face as from the other, where a rounding
+  // error is the largest part of the distance.
+  constexpr int dim = TestFixture::Dim;
+  std::mt19937 random(138);
+  std::uniform_real_distribution<double> aside(-1e-4, 1e-4);
+  std::uniform_real_distribution<double> anywhere(0.0, 256.0);
+  for (int trial = 0; trial < 20000; ++trial)
+  {
+    ChildBoxes<dim> boxes = TestFixture::MakeBoxes(random);
+    double steps[dim];
+    for (int axis = 0; axis < dim; ++axis)
+    {
+      std::copy(std::begin(boxes.Lower[axis]), std::end(boxes.Lower[axis]), boxes.Upper[axis]);
+      steps[axis] = trial % 2 == 0 ? anywhere(random) : boxes.Lower[axis][0] + 0.5 + aside(random);
+    }
+    const double expected = TestFixture::GetFarthest2(boxes, 0, steps);
+    TestFixture::template ForAllKernels<float>(
+      [&](const DistanceKernels<dim, float>& kernels)
+      {
+        constexpr double error = DistanceKernels<dim, float>::template BoxError<float>;
+        ASSERT_GE(kernels.ToFarthestCorner(boxes, steps, 1U) * (1.0 + error), expected);
+      });
+  }
+}
+
 TYPED_TEST(TestDistanceKernels, WholeBoxesAreWithinTheLimit)
 {
   TestFixture::ForReaches(

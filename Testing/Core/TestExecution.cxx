@@ -145,12 +145,14 @@ TEST(TestExecution, AllPartsHeedTheSignToStop)
   const Execution execution(OnThreads(1), {}, StopSign(stops));
   const Execution reporting(
     OnThreads(1), [](double) { return true; }, StopSign(stops));
-  for (const Execution& part : { execution, execution.Part(0.0, 0.5), reporting.Part(0.5, 1.0) })
+  const Execution parts[] = { execution, execution.Part(0.0, 0.5), reporting.Part(0.5, 1.0),
+    reporting.OnOneThread() };
+  for (const Execution& part : parts)
   {
     EXPECT_NO_THROW(part.HeedStop());
   }
   ++stops;
-  for (const Execution& part : { execution, execution.Part(0.0, 0.5), reporting.Part(0.5, 1.0) })
+  for (const Execution& part : parts)
   {
     EXPECT_THROW(part.HeedStop(), Interrupted);
   }

@@ -198,6 +198,10 @@ TEST_F(TestInvariants, LeafInTheTable)
 
 TEST_F(TestInvariants, CountsOfADepthWithoutLeaves)
 {
+  // Above the last depth that a tree may have.
+  Octree<3>::Options options;
+  options.MaxDepth = 10;
+  this->Tree = Octree<3>(this->Sample.GetSpan(), this->Selection, options, Execution());
   DepthCounts& counts = this->GetCounts();
   for (auto* numbers : { &counts.Leaves, &counts.EmptyLeaves, &counts.Points })
   {

@@ -4,6 +4,7 @@
 #include "PointSamples.h"
 #include "Sanitized.h"
 #include "Threads.h"
+#include "ToldProgress.h"
 
 #include <gtest/gtest.h>
 
@@ -124,6 +125,17 @@ TEST(TestPointBatch, TakesMorePositionsThanAreOrderedAtATime)
   constexpr std::size_t every = Sanitized ? 7 : 1; // Positions 7 and 700 are nowhere.
   ExpectClosest(batch, 1, Execution(OnThreads(2)), every);
   ExpectWithin(batch, 0.004, Execution(OnThreads(2)), every);
+}
+
+TEST(TestPointBatch, ProgressRisesFromOneOrderToTheNext)
+{
+  const Batch batch(Many, BatchOrder<3>::MostPositions + 200000);
+  ToldProgress told;
+  std::vector<long long> ids(batch.GetSpan().Count);
+  std::vector<double> dist2(batch.GetSpan().Count);
+  PointBatch(batch.Tree, told.MakeExecution())
+    .FindClosest(batch.GetSpan(), 1, ids.data(), dist2.data());
+  told.ExpectToRise(10);
 }
 
 TEST(TestPointBatch, OfNoPositionsIsEmpty)

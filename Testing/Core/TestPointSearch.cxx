@@ -418,6 +418,26 @@ TEST(TestPointSearchFacts, ManyAreFoundInOrder)
   }
 }
 
+TEST(TestPointSearchFacts, BoxesEndWhereTheySay)
+{
+  // Faces so near to points that only the points themselves tell on which side they are: beside a
+  // face of cells, which is 0 here, and below the last cell's upper face.
+  const PointSample<1, double> sample{ "on faces", { -3.0, 1.0, 0.0, 0.5, 0.75, -1.0, -2.0 } };
+  const PointTree<1, double> tree(sample.GetSpan(),
+    PointSelection<1>(sample.GetSpan(), {}, Execution()), { 1, MortonKey<1>::MaxDepth },
+    Execution());
+  const auto find = [&tree](double lower, double upper)
+  {
+    std::vector<PointIndex> found;
+    PointSearch<1, double>(tree).FindWithin(Box<1>({ lower }, { upper }), found);
+    std::sort(found.begin(), found.end());
+    return found;
+  };
+  EXPECT_EQ(find(0.0, 1.0), (std::vector<PointIndex>{ 1, 2, 3, 4 }));
+  EXPECT_EQ(find(1e-30, 1.0), (std::vector<PointIndex>{ 1, 3, 4 }));
+  EXPECT_EQ(find(-3.0, std::nextafter(1.0, 0.0)), (std::vector<PointIndex>{ 0, 2, 3, 4, 5, 6 }));
+}
+
 TEST(TestPointSearchFacts, NothingToFind)
 {
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(100, 155) };
@@ -449,6 +469,7 @@ TEST(TestPointSearchFacts, NothingToFind)
   std::vector<FoundPoint> few{ closest };
   search.FindClosest(inside, 0, few);
   EXPECT_TRUE(few.empty());
+  EXPECT_EQ(search.CountNodesForClosest(inside, 0), 0U);
   std::vector<PointIndex> within{ 7 };
   search.FindWithin(inside, -1.0, within);
   EXPECT_TRUE(within.empty());

@@ -5,6 +5,7 @@
 #include "PointSamples.h"
 #include "SampleTree.h"
 #include "Threads.h"
+#include "ToldProgress.h"
 
 #include <utility>
 
@@ -256,6 +257,32 @@ TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
   EXPECT_EQ(starts.GetBytes(), 0U);
   EXPECT_GT(starts.GetOfTree(), 1);
   EXPECT_EQ(tree.GetBytes(), bytes + 4096);
+}
+
+TEST(TestPointTreeFacts, LeavesMayHoldAnyNumberOfPoints)
+{
+  const std::size_t most = std::size_t(1) << 62; // Four times as many are no number.
+  const auto coordinates = MakeUniformPoints<3, float>(1000, 148);
+  const PointSpan<3, float> points{ coordinates.data(), 1000 };
+  const PointTree<3, float> tree(
+    points, PointSelection<3>(points, {}, Execution()), { most, 21 }, Execution());
+  EXPECT_GE(tree.GetMostInLeaf(), most);
+}
+
+TEST(TestPointTreeFacts, ProgressRisesFromOneNestedTreeToTheNext)
+{
+  std::vector<double> coordinates{ 1.0, 1.0, 1.0 };
+  for (const double corner : { 0.0, 0.5 })
+  {
+    const auto spot = MakeUniformPoints<3, double>(60000, 149, corner, corner + 1e-9);
+    coordinates.insert(coordinates.end(), spot.begin(), spot.end());
+  }
+  const PointSpan<3, double> points{ coordinates.data(), coordinates.size() / 3 };
+  ToldProgress told;
+  const PointTree<3, double> tree(
+    points, PointSelection<3>(points, {}, Execution()), { 16, 21 }, told.MakeExecution());
+  EXPECT_EQ(ExpectNested(points, tree), 2);
+  told.ExpectToRise(10);
 }
 
 TEST(TestPointTreeFacts, CanBeInterrupted)

@@ -194,6 +194,26 @@ TEST(TestThreadTeam, WhatIsThrownComesBack)
   }
 }
 
+TEST(TestThreadTeam, AnErrorLeavesOutTheRestOfALoop)
+{
+  int parts = 0;
+  const auto run = [&parts]
+  {
+    ThreadTeam::Run(Execution(), 1,
+      [&parts](const Execution& execution)
+      {
+        execution.For(100, 1,
+          [&parts](std::size_t, std::size_t)
+          {
+            ++parts;
+            throw std::runtime_error("a part");
+          });
+      });
+  };
+  EXPECT_THROW(run(), std::runtime_error);
+  EXPECT_EQ(parts, 1);
+}
+
 TEST(TestThreadTeam, OfTwoErrorsTheFirstComesBack)
 {
   std::atomic<int> begun{ 0 };
