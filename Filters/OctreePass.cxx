@@ -75,9 +75,10 @@ PointsOctree<Dim> BuildWithOthers(const ProcessGroup& processes, const TreeFrame
 {
   const Grid<Dim> grid(
     Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
-  std::vector<MortonKey<Dim>> keys;
   const auto coded = EncodePoints(Project(own.Points, frame, own.Selection.GetBox()),
     PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
+  std::vector<MortonKey<Dim>> keys;
+  keys.reserve(coded.GetSize());
   for (std::size_t i = 0; i < coded.GetSize(); ++i)
   {
     if (!own.IsDuplicate(coded[i].GetId()))

@@ -93,8 +93,8 @@ private:
   /** Lists those children of a node that are leaves, and calls onInternal(octant) for those that
    * are internal, in the order of octants. */
   template <typename OnInternal>
-  void SearchOctants(
-    Key key, const Entry& entry, unsigned octants, NeighborCase kind, const OnInternal& onInternal)
+  void SearchOctants(Key key, const Entry& entry, unsigned octants, NeighborCase neighborCase,
+    const OnInternal& onInternal)
   {
     this->Examined.Enter(key);
     this->Examined.AddNodes(__builtin_popcount(octants));
@@ -102,11 +102,11 @@ private:
     for (unsigned internal = rest & entry.Internal; internal != 0; internal &= internal - 1)
     {
       const unsigned first = internal & -internal;
-      this->Leaves.AddChildren(PlainMachine(), key, rest & (first - 1U), entry.Block, kind);
+      this->Leaves.AddChildren(PlainMachine(), key, rest & (first - 1U), entry.Block, neighborCase);
       onInternal(static_cast<unsigned>(__builtin_ctz(first)));
       rest &= ~(2U * first - 1U);
     }
-    this->Leaves.AddChildren(PlainMachine(), key, rest, entry.Block, kind);
+    this->Leaves.AddChildren(PlainMachine(), key, rest, entry.Block, neighborCase);
   }
 
   const Octree<Dim>& Tree;

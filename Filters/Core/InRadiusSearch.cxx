@@ -63,7 +63,7 @@ private:
     Corner lower;
     this->Ball.GetLower(cover.Lower, cover.Depth, lower);
     const double size = NodeBall<Dim>::GetSize(cover.Depth);
-    const NeighborCase kind = this->GetCase(cover.Depth + 1);
+    const NeighborCase neighborCase = this->GetCase(cover.Depth + 1);
     Group cells;
     std::size_t count = 0;
     std::uint64_t internal = 0;
@@ -81,7 +81,7 @@ private:
         cell.Block = entry.Block;
         NodeBall<Dim>::GetLowerOfOctant(lower, size, corner, cell.Lower);
         this->Tree.PrefetchOctants(cell.Block);
-        internal |= std::uint64_t(this->ListLeaves(machine, cell, entry, 0.5 * size, kind))
+        internal |= std::uint64_t(this->ListLeaves(machine, cell, entry, 0.5 * size, neighborCase))
           << (count * Key::NumberOfOctants);
         ++count;
       },
@@ -118,7 +118,7 @@ private:
     Machine machine, const Group& parents, std::uint64_t internal, int depth)
   {
     const double size = NodeBall<Dim>::GetSize(depth);
-    const NeighborCase kind = this->GetCase(depth + 1);
+    const NeighborCase neighborCase = this->GetCase(depth + 1);
     while (internal != 0)
     {
       Group nodes;
@@ -135,7 +135,7 @@ private:
         NodeBall<Dim>::GetLowerOfOctant(parent.Lower, size, octant, node->Lower);
         const Octants& children = this->Tree.GetOctants(node->Block);
         this->Tree.PrefetchOctants(children.FirstChild);
-        below |= std::uint64_t(this->ListLeaves(machine, *node, children, 0.5 * size, kind))
+        below |= std::uint64_t(this->ListLeaves(machine, *node, children, 0.5 * size, neighborCase))
           << shift;
         ++node;
       }
@@ -149,8 +149,8 @@ private:
   /** Lists those children of a node that are leaves and meet the ball, and returns those that are
    * internal nodes and meet it. `size` is theirs. */
   template <typename Machine, typename Children>
-  HASHEDOCTREE_INLINE std::uint32_t ListLeaves(
-    Machine machine, const Node& node, const Children& children, double size, NeighborCase kind)
+  HASHEDOCTREE_INLINE std::uint32_t ListLeaves(Machine machine, const Node& node,
+    const Children& children, double size, NeighborCase neighborCase)
   {
     const std::uint32_t others = this->GetOthers(node.NodeKey);
     this->Examined.Enter(node.NodeKey);
@@ -158,7 +158,8 @@ private:
     const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : children.Occupied;
     const std::uint32_t meeting =
       others & nodes & this->Ball.GetMeetingOctants(machine, node.Lower, size);
-    this->Leaves.AddChildren(machine, node.NodeKey, meeting & ~children.Internal, node.Block, kind);
+    this->Leaves.AddChildren(
+      machine, node.NodeKey, meeting & ~children.Internal, node.Block, neighborCase);
     return meeting & children.Internal;
   }
 

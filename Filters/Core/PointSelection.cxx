@@ -3,6 +3,7 @@
 
 #include "FiniteBox.h"
 
+#include <sstream>
 #include <stdexcept>
 
 namespace hashedoctree
@@ -14,13 +15,21 @@ void RequireValid(const Box<Dim>& box)
 {
   for (int axis = 0; axis < Dim; ++axis)
   {
-    const bool finite = std::abs(box.Lower[axis]) <= Grid<Dim>::MaxCoordinate &&
-      std::abs(box.Upper[axis]) <= Grid<Dim>::MaxCoordinate;
-    if (!finite || box.Lower[axis] > box.Upper[axis])
+    const double lower = box.Lower[axis];
+    const double upper = box.Upper[axis];
+    std::ostringstream problem;
+    problem << "The given bounds are from " << lower << " to " << upper << " on axis "
+            << "xyzw"[axis];
+    if (lower > upper)
     {
-      throw std::invalid_argument("The given bounds must be finite and not too large (4.4e307), "
-                                  "and each lower one at most its "
-                                  "upper one.");
+      problem << "; give the lower one first.";
+      throw std::invalid_argument(problem.str());
+    }
+    constexpr double most = Grid<Dim>::MaxCoordinate;
+    if (!(std::abs(lower) <= most && std::abs(upper) <= most))
+    {
+      problem << "; give finite ones, not beyond " << most << ".";
+      throw std::invalid_argument(problem.str());
     }
   }
 }

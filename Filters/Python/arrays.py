@@ -3,11 +3,11 @@
 
 Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read where they are. Masked
 arrays (whether a value is masked or not), also as rows of a list or values in them, and what is no
-real number (complex numbers, strings, dates, None), also in arrays of objects, are a TypeError. Results are
-views of the memory that the search filled, nothing is copied: ids are int64, squared distances
-float64. A batch that could not be done is a RuntimeError that says why: not enough memory, or
-stopped by AbortBatch(). One position at a time is faster searched for by the locator's own methods,
-which take NumPy rows.
+real number (complex numbers, strings, dates, None), also in arrays of objects, are a TypeError.
+Results are views of the memory that the search filled, nothing is copied: ids are int64, squared
+distances float64. A batch that could not be done is a RuntimeError that says why, unless VTK's
+warnings are off: not enough memory, or stopped by AbortBatch(). One position at a time is faster
+searched for by the locator's own methods, which take NumPy rows.
 
 The searches run on the threads of vtkSMPTools. Python's other threads, and Ctrl-C, wait until a
 batch is done: give the positions in parts to be heard sooner. Only an observer of ProgressEvent can
@@ -20,7 +20,7 @@ from numbers import Real
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkPoints
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray, vtkObject, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 __all__ = ["make_points", "find_closest_points", "find_closest_n_points", "find_points_within_radius"]
@@ -60,27 +60,34 @@ def find_points_within_radius(locator, radius, positions):
     """The points within a radius of each position, by distance, then by id: offsets of shape
     (m + 1,), ids and squared distances. Those of position i are ids[offsets[i]:offsets[i + 1]].
     Takes up to 32 bytes for each point found while it runs, 16 afterwards."""
-    number = numpy.asarray(radius)
-    if numpy.ma.isMaskedArray(radius) or number.size != 1 or number.dtype.kind not in "biuf":
-        raise TypeError(f"radius must be one real number for all positions, not {radius!r}")
+    requirement = "radius must be one real number for all positions"
+    number = _to_reals(radius, requirement)
+    if number.size != 1:
+        raise TypeError(f"{requirement}, not {radius!r}")
     offsets, ids, dist2 = vtkIdTypeArray(), vtkIdTypeArray(), vtkDoubleArray()
-    _run(locator, locator.FindPointsWithinRadius, number.item(), _view(positions), offsets, ids, dist2)
+    _run(locator, locator.FindPointsWithinRadius, float(number.item()), _view(positions), offsets, ids, dist2)
     return vtk_to_numpy(offsets), vtk_to_numpy(ids), vtk_to_numpy(dist2)
+
+
+def _to_reals(values, requirement):
+    """An array of real numbers, in C order; the requirement is what errors begin with."""
+    rows = values if isinstance(values, (list, tuple)) else ()
+    in_rows = (value for row in rows if isinstance(row, (list, tuple)) for value in row)
+    if any(map(numpy.ma.isMaskedArray, chain((values,), rows, in_rows))):
+        raise TypeError(f"{requirement}, not masked; give the values that count")
+    array = numpy.asarray(values, order="C")
+    if array.dtype.kind not in "biufO":
+        raise TypeError(f"{requirement}, not {array.dtype}")
+    if array.dtype.kind == "O":
+        for value in array.flat:
+            if not isinstance(value, (Real, Decimal, numpy.bool_)):
+                raise TypeError(f"{requirement}, not {value!r}")
+    return array
 
 
 def _view(positions):
     """A VTK array over the positions, which keeps them alive."""
-    rows = positions if isinstance(positions, (list, tuple)) else ()
-    values = (value for row in rows if isinstance(row, (list, tuple)) for value in row)
-    if any(map(numpy.ma.isMaskedArray, chain((positions,), rows, values))):
-        raise TypeError("positions must not be a masked array; give the values that count")
-    positions = numpy.asarray(positions, order="C")
-    if positions.dtype.kind not in "biufO":
-        raise TypeError(f"positions must be real numbers, not {positions.dtype}")
-    if positions.dtype.kind == "O":
-        for value in positions.flat:
-            if not isinstance(value, (Real, Decimal, numpy.bool_)):
-                raise TypeError(f"positions must be real numbers, not {value!r}")
+    positions = _to_reals(positions, "positions must be real numbers")
     if positions.ndim != 2 or positions.shape[1] != 3:
         raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}; one alone is [x]")
     if positions.dtype not in (numpy.float32, numpy.float64):
@@ -101,5 +108,7 @@ def _run(locator, search, *arguments):
         done = search(*arguments)
     finally:
         locator.RemoveObserver(observer)
+    if not done and not errors and not vtkObject.GetGlobalWarningDisplay():
+        errors.append("The batch of searches was not done; vtkObject.GlobalWarningDisplayOn() lets VTK say why.")
     if not done:
         raise RuntimeError(" ".join(errors) or "The batch of searches was stopped by AbortBatch().")

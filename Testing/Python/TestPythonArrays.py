@@ -4,7 +4,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import numpy
-from vtkmodules.vtkCommonCore import reference, vtkIdList
+from vtkmodules.vtkCommonCore import reference, vtkIdList, vtkObject
 from hashedoctree import vtkHashedOctreePointLocator
 from hashedoctree.arrays import (
     find_closest_n_points, find_closest_points, find_points_within_radius, make_points)
@@ -104,9 +104,10 @@ ids, dist2 = find_closest_points(
 assert (ids, dist2) == find_closest_points(locator, [[0.5, 0.5, 0.5]]), (ids, dist2)
 truths = numpy.array([[True, numpy.True_, numpy.False_]], dtype=object)
 assert find_closest_points(locator, truths) == find_closest_points(locator, [[1.0, 1.0, 0.0]])
-for radius in (numpy.array([0.5]), numpy.float32(0.5), numpy.int8(1), True, 0.5):
+for radius in (numpy.array([0.5]), numpy.float32(0.5), numpy.int8(1), True, 0.5, Fraction(1, 2), Decimal("0.5"),
+               10**30):
     assert find_points_within_radius(locator, radius, numpy.zeros((2, 3)))[0].shape == (3,)
-for radius in (numpy.zeros(2), [], "0.5", None, 1j, numpy.ma.masked, numpy.ma.array(0.5)):
+for radius in (numpy.zeros(2), [], "0.5", None, 1j, numpy.ma.masked, numpy.ma.array(0.5), [numpy.ma.masked]):
     expect_error(TypeError, find_points_within_radius, locator, radius, numpy.zeros((2, 3)),
                  words="radius must be one real number")
 
@@ -129,6 +130,10 @@ assert find_closest_points(locator, [[0, 0, 0]])[1] == 0.0
 expect_error(RuntimeError, find_closest_n_points, locator, 2**31 - 1, numpy.zeros((2**20, 3)),
              words="There is not enough memory for what the batch finds")
 assert not locator.HasObserver("ErrorEvent")
+vtkObject.GlobalWarningDisplayOff() # VTK then does not say why.
+expect_error(RuntimeError, find_closest_n_points, locator, 2**31 - 1, numpy.zeros((2**20, 3)),
+             words="was not done; vtkObject.GlobalWarningDisplayOn()")
+vtkObject.GlobalWarningDisplayOn()
 locator.SetDataSet(make_points(random.random((100000, 3))))
 locator.AddObserver("ProgressEvent", lambda caller, event: caller.AbortBatch())
 expect_error(RuntimeError, find_closest_points, locator, random.random((100000, 3)),
