@@ -5,7 +5,6 @@
 #include "RangeDepths.h"
 
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 namespace hashedoctree
@@ -23,11 +22,6 @@ CurveDivision<Dim> DivideCurve(
   const std::uint64_t all = processes.Sum(keys.size());
   const std::size_t number = processes.GetNumber();
   RequirePointIndices(all);
-  if (all == 0)
-  {
-    throw std::invalid_argument("All points are marked (vtkGhostType) as those of other processes, "
-                                "and no process has them; mend the input.");
-  }
   const auto sample = CurveDivision<Dim>::Sample(keys, all, number);
   return CurveDivision<Dim>(processes.Gather(sample).Values, number, maxDepth);
 }

@@ -37,7 +37,7 @@ constexpr double SelectionShare = 0.05;
 /** Share of the progress of building with others: where the keys are made. */
 constexpr double CodesShare = 0.1;
 
-/** The points that a process has for a tree. */
+/** The points that a process has for a tree, but for those that VTK marks as another piece's. */
 template <typename Real>
 struct OwnPoints
 {
@@ -51,32 +51,24 @@ struct OwnPoints
       (this->Ghosts->GetValue(static_cast<vtkIdType>(id)) & vtkDataSetAttributes::DUPLICATEPOINT) !=
       0;
   }
+  bool HasDuplicates() const
+  {
+    bool has = false;
+    for (std::size_t id = 0; this->Ghosts != nullptr && !has && id < this->Points.Count; ++id)
+    {
+      has = this->IsDuplicate(static_cast<PointIndex>(id));
+    }
+    return has;
+  }
 };
 
-/** The tree of a process alone. */
+/** The keys of a process's points in the root of all of them. */
 template <int Dim, typename Real>
-PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const OwnPoints<Real>& own,
-  const typename Octree<Dim>::Options& options, const Execution& execution)
+std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
+  const OwnPoints<Real>& own, const Execution& execution)
 {
-  PointsOctree<Dim> octree;
-  octree.Tree = Octree<Dim>(Project(own.Points, frame, own.Selection.GetBox()),
-    PointSelection<Dim>(own.Selection, frame.GetAxes()), options, execution);
-  octree.Counts = octree.Tree.GetDepthCounts();
-  octree.TreeBytes = octree.Tree.GetTreeBytes();
-  return octree;
-}
-
-/** The tree of several processes in the root of all of them. A point that VTK marks as one that
- * another process has, too, is in the tree as that one's. */
-template <int Dim, typename Real>
-PointsOctree<Dim> BuildWithOthers(const ProcessGroup& processes, const TreeFrame<Dim>& frame,
-  const Box<3>& root, const OwnPoints<Real>& own, const typename Octree<Dim>::Options& options,
-  const Execution& execution)
-{
-  const Grid<Dim> grid(
-    Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
   const auto coded = EncodePoints(Project(own.Points, frame, own.Selection.GetBox()),
-    PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
+    PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution);
   std::vector<MortonKey<Dim>> keys;
   keys.reserve(coded.GetSize());
   for (std::size_t i = 0; i < coded.GetSize(); ++i)
@@ -86,8 +78,29 @@ PointsOctree<Dim> BuildWithOthers(const ProcessGroup& processes, const TreeFrame
       keys.push_back(coded[i].GetKey());
     }
   }
-  return BuildDistributedOctree(
-    processes, grid, std::move(keys), options, execution.Part(CodesShare, 1.0));
+  return keys;
+}
+
+/** The tree of a process alone. */
+template <int Dim, typename Real>
+PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
+  const OwnPoints<Real>& own, const typename Octree<Dim>::Options& options,
+  const Execution& execution)
+{
+  PointsOctree<Dim> octree;
+  if (own.HasDuplicates())
+  {
+    octree.Tree = Octree<Dim>(grid, MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare)),
+      options, execution.Part(CodesShare, 1.0));
+  }
+  else
+  {
+    octree.Tree = Octree<Dim>(Project(own.Points, frame, own.Selection.GetBox()),
+      PointSelection<Dim>(own.Selection, frame.GetAxes()), options, execution);
+  }
+  octree.Counts = octree.Tree.GetDepthCounts();
+  octree.TreeBytes = octree.Tree.GetTreeBytes();
+  return octree;
 }
 
 template <int Dim, typename Real>
@@ -95,9 +108,13 @@ PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Di
   const Box<3>& root, const OwnPoints<Real>& own, const typename Octree<Dim>::Options& options,
   const Execution& execution)
 {
+  const Grid<Dim> grid(
+    Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
   PointsOctree<Dim> octree = processes.AreSeveral()
-    ? BuildWithOthers(processes, frame, root, own, options, execution)
-    : BuildAlone(frame, own, options, execution);
+    ? BuildDistributedOctree(processes, grid,
+        MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare)), options,
+        execution.Part(CodesShare, 1.0))
+    : BuildAlone(frame, grid, own, options, execution);
   octree.Frame = frame;
   octree.SkippedPoints = processes.Sum(own.Selection.GetNumberOfSkippedPoints());
   octree.OutsidePoints = processes.Sum(own.Selection.GetNumberOfOutsidePoints());
@@ -237,10 +254,14 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
       const auto build = [&](const auto& frame)
       {
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
-        built = BuildInFrame(this->Processes, frame, *root,
+        auto octree = BuildInFrame(this->Processes, frame, *root,
           OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{
             span, selection, input->GetPointGhostArray() },
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
+        if (octree.GetNumberOfPoints() > 0) // Not all are other pieces'.
+        {
+          built = std::move(octree);
+        }
       };
       const auto plane = FindQuadtreeFrame(this->Algorithm, *root);
       plane ? build(*plane) : build(TreeFrame<3>());

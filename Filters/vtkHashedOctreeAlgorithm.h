@@ -24,9 +24,10 @@
  * or is aborted there, ends it in all, with an error in the others.
  *
  * The points of all pieces are in the tree, and equal ones count each, but for points that VTK
- * marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's; where they are
- * left out for another reason, too, each of them is counted. So, where pieces share a layer of
- * points, mark it, as vtkGenerateGlobalIds does. Of composite data sets the blocks at one place are
+ * marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's, on one process
+ * as on several; the bounds are around them, too, and where they are left out for another reason,
+ * each of them is counted. So, where pieces share a layer of points, mark it, as
+ * vtkGenerateGlobalIds does. Of composite data sets the blocks at one place are
  * pieces of one, if all processes have the same structure; otherwise, and without such a group,
  * each process makes trees of its own points.
  */

@@ -2,13 +2,17 @@
 #include "ExpectOctree.h"
 #include "MemoryLimit.h"
 #include "PointSamples.h"
+#include "SameOutputs.h"
 #include "Sanitized.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkNonOverlappingAMR.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUniformGrid.h"
+#include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -125,6 +129,32 @@ TEST(TestHashedOctreeFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarn
     EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 0);
     ExpectOctree(filter, OracleOctree(finite));
     ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreLeftOut)
+{
+  for (const int dimension : { vtkHashedOctreeFilter::Two, vtkHashedOctreeFilter::Three })
+  {
+    const std::vector<double> own = MakeUniformPoints<3, double>(300, 49);
+    std::vector<double> all = own;
+    const std::vector<double> others = MakeUniformPoints<3, double>(100, 50, 0.25, 0.75);
+    all.insert(all.begin() + 30, others.begin(), others.end());
+    const auto input = MakePolyData(all);
+    vtkUnsignedCharArray* ghosts = input->AllocatePointGhostArray();
+    std::fill_n(ghosts->GetPointer(10), 100, vtkDataSetAttributes::DUPLICATEPOINT);
+    ghosts->SetValue(0, vtkDataSetAttributes::HIDDENPOINT); // Which is one, though it is not shown.
+
+    TestedFilter filter;
+    filter->SetDimension(dimension);
+    filter->SetInputData(MakePolyData(own));
+    const auto expected = TakeOutputs(filter.GetFilter());
+    filter->SetInputData(input);
+    ExpectSameOutputs(TakeOutputs(filter.GetFilter()), expected);
+
+    std::fill_n(ghosts->GetPointer(0), 400, vtkDataSetAttributes::DUPLICATEPOINT);
+    ghosts->Modified();
+    filter.UpdateToNothing();
   }
 }
 
