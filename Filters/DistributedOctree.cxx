@@ -2,6 +2,7 @@
 #include "DistributedOctree.h"
 
 #include "CurveDivision.h"
+#include "DistinctKeys.h"
 #include "RangeDepths.h"
 
 #include <map>
@@ -13,6 +14,7 @@ namespace
 {
 /** Shares of the progress: where each step ends. The rest is for counting. */
 constexpr double DealingShare = 0.2;
+constexpr double MergingShare = 0.3;
 constexpr double TreeShare = 0.9;
 
 template <int Dim>
@@ -83,7 +85,7 @@ std::map<std::uint64_t, PointIndex> CountPointsAcross(const ProcessGroup& proces
 
 template <int Dim>
 PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup& processes, const Grid<Dim>& grid,
-  std::vector<MortonKey<Dim>> keys, const typename Octree<Dim>::Options& options,
+  std::vector<MortonKey<Dim>> keys, bool merge, const typename Octree<Dim>::Options& options,
   const Execution& execution)
 {
   PointsOctree<Dim> octree;
@@ -92,9 +94,13 @@ PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup& processes, const Gr
   const CurveDivision<Dim>& division = octree.Division;
   octree.Range = division.GetRange(processes.GetRank());
   keys = SendToParts(processes, division, std::move(keys));
+  if (merge) // Equal ones are in one part.
+  {
+    keys = GetDistinctKeys(keys, execution.Part(DealingShare, MergingShare));
+  }
   octree.PointsAcross = CountPointsAcross(processes, division, keys);
   AddOverlap(processes, keys, CurveDivision<Dim>::CountOverlap(options.MaxPointsPerLeaf));
-  octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(DealingShare, TreeShare));
+  octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(MergingShare, TreeShare));
   octree.Counts =
     SumCounts(processes, CountDepths(octree.Tree, octree.Range, execution.Part(TreeShare, 1.0)));
   octree.TreeBytes = processes.Sum(octree.Tree.GetTreeBytes());
@@ -103,7 +109,7 @@ PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup& processes, const Gr
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup&, const Grid<Dim>&,         \
-    std::vector<MortonKey<Dim>>, const Octree<Dim>::Options&, const Execution&);
+    std::vector<MortonKey<Dim>>, bool, const Octree<Dim>::Options&, const Execution&);
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 #undef HASHEDOCTREE_INSTANTIATE

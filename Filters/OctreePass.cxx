@@ -4,6 +4,7 @@
 #include "AlgorithmExecution.h"
 #include "AlgorithmOptions.h"
 #include "BlockStructure.h"
+#include "DistinctKeys.h"
 #include "DistributedOctree.h"
 #include "MortonCodes.h"
 #include "OctreeHyperTree.h"
@@ -34,8 +35,9 @@ namespace
 /** Shares of the progress of one point set: where each step ends. */
 constexpr double AdaptorShare = 0.02;
 constexpr double SelectionShare = 0.05;
-/** Share of the progress of building with others: where the keys are made. */
+/** Shares of the progress of building a tree of keys: where each step ends. */
 constexpr double CodesShare = 0.1;
+constexpr double MergingShare = 0.3;
 
 /** The points that a process has for a tree, but for those that VTK marks as another piece's. */
 template <typename Real>
@@ -44,6 +46,7 @@ struct OwnPoints
   PointSpan<3, Real> Points;
   const PointSelection<3>& Selection;
   vtkUnsignedCharArray* Ghosts; ///< Null where no point is one.
+  bool Merge;                   ///< Whether those in one cell at the deepest depth count as one.
 
   bool IsDuplicate(PointIndex id) const
   {
@@ -88,10 +91,14 @@ PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
   const Execution& execution)
 {
   PointsOctree<Dim> octree;
-  if (own.HasDuplicates())
+  if (own.Merge || own.HasDuplicates())
   {
-    octree.Tree = Octree<Dim>(grid, MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare)),
-      options, execution.Part(CodesShare, 1.0));
+    std::vector<MortonKey<Dim>> keys = MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare));
+    if (own.Merge)
+    {
+      keys = GetDistinctKeys(keys, execution.Part(CodesShare, MergingShare));
+    }
+    octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(MergingShare, 1.0));
   }
   else
   {
@@ -112,7 +119,7 @@ PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Di
     Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
   PointsOctree<Dim> octree = processes.AreSeveral()
     ? BuildDistributedOctree(processes, grid,
-        MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare)), options,
+        MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare)), own.Merge, options,
         execution.Part(CodesShare, 1.0))
     : BuildAlone(frame, grid, own, options, execution);
   octree.Frame = frame;
@@ -256,7 +263,7 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
         auto octree = BuildInFrame(this->Processes, frame, *root,
           OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{
-            span, selection, input->GetPointGhostArray() },
+            span, selection, input->GetPointGhostArray(), this->Algorithm->GetMergePoints() },
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
         if (octree.GetNumberOfPoints() > 0) // Not all are other pieces'.
         {

@@ -87,6 +87,7 @@ void vtkHashedOctreeAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Dimension: " << this->Dimension << "\n";
   os << indent << "Plane: " << this->Plane << "\n";
   os << indent << "MaxPointsPerLeaf: " << this->MaxPointsPerLeaf << "\n";
+  os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "MaxDepth: " << this->MaxDepth << "\n";
   os << indent << "FrequencyModel: " << this->FrequencyModel << "\n";
   os << indent << "StartDepthModel: " << this->StartDepthModel << "\n";

@@ -27,7 +27,7 @@
  * marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's, on one process
  * as on several; the bounds are around them, too, and where they are left out for another reason,
  * each of them is counted. So, where pieces share a layer of points, mark it, as
- * vtkGenerateGlobalIds does. Of composite data sets the blocks at one place are
+ * vtkGenerateGlobalIds does, or merge points. Of composite data sets the blocks at one place are
  * pieces of one, if all processes have the same structure; otherwise, and without such a group,
  * each process makes trees of its own points.
  */
@@ -107,6 +107,16 @@ public:
   ///@}
 
   ///@{
+  /** Whether points in one cell of the grid (2^21 cells along each axis of an octree, 2^31 of a
+   * quadtree, whatever MaxDepth) count as one: equal points, and such as are the same but for their
+   * last digits. Else they share a leaf at MaxDepth where they are more than MaxPointsPerLeaf,
+   * which is then too small to be seen. Default off. */
+  vtkSetMacro(MergePoints, bool);
+  vtkGetMacro(MergePoints, bool);
+  vtkBooleanMacro(MergePoints, bool);
+  ///@}
+
+  ///@{
   /** Depth below which nothing is split, in [0, 31]; default 21. In octrees, whose keys end there,
    * more than 21 is 21. */
   vtkSetClampMacro(MaxDepth, int, 0, 31);
@@ -178,6 +188,7 @@ private:
   int Dimension = Auto;
   int Plane = Widest;
   int MaxPointsPerLeaf = 1;
+  bool MergePoints = false;
   int MaxDepth = 21;
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;

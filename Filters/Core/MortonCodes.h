@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 namespace hashedoctree
 {
@@ -39,6 +40,20 @@ private:
   std::array<std::uint32_t, 2> KeyHalves;
   PointIndex Id;
 };
+
+/** Points that are known by their keys, from the first on. Throws std::length_error for more than
+ * ids can tell apart. */
+template <int Dim>
+Buffer<CodedPoint<Dim>> CodeKeys(const std::vector<MortonKey<Dim>>& keys)
+{
+  RequirePointIndices(keys.size());
+  Buffer<CodedPoint<Dim>> coded(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    coded[i] = CodedPoint<Dim>(keys[i], static_cast<PointIndex>(i));
+  }
+  return coded;
+}
 
 /** The selected points with their keys, in the order of the data set. O(n). Throws Interrupted.
  * Instantiated for PointSpans of float and double, in two dimensions for PlaneSpans, too. */

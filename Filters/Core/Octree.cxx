@@ -40,12 +40,7 @@ Octree<Dim>::Octree(const Grid<Dim>& grid, const std::vector<Key>& keys, const O
   {
     return;
   }
-  RequirePointIndices(keys.size());
-  Buffer<CodedPoint<Dim>> coded(keys.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    coded[i] = CodedPoint<Dim>(keys[i], static_cast<PointIndex>(i));
-  }
+  Buffer<CodedPoint<Dim>> coded = CodeKeys(keys);
   this->Build(coded, execution, {});
 }
 

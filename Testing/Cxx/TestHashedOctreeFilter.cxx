@@ -16,6 +16,7 @@ TEST(TestHashedOctreeFilter, HasTheDocumentedDefaults)
   EXPECT_EQ(filter->GetDimension(), vtkHashedOctreeFilter::Auto);
   EXPECT_EQ(filter->GetPlane(), vtkHashedOctreeFilter::Widest);
   EXPECT_EQ(filter->GetMaxPointsPerLeaf(), 1);
+  EXPECT_FALSE(filter->GetMergePoints());
   EXPECT_EQ(filter->GetMaxDepth(), 21);
   EXPECT_EQ(filter->GetFrequencyModel(), vtkHashedOctreeFilter::Leaves);
   EXPECT_EQ(filter->GetStartDepthModel(), vtkHashedOctreeFilter::Median);

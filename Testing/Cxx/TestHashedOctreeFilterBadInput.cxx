@@ -212,6 +212,37 @@ TEST(TestHashedOctreeFilterBadInput, EqualPointsShareOneLeaf)
   }
 }
 
+TEST(TestHashedOctreeFilterBadInput, MergedPointsCountAsOne)
+{
+  const std::vector<double> once = MakeUniformPoints<3, double>(400, 51);
+  std::vector<double> often = once;
+  for (std::size_t i = 0; i < once.size(); i += 3)
+  {
+    for (std::size_t copy = 0; copy < i % 7; ++copy)
+    {
+      const double nearly = 1e-15 * static_cast<double>(copy); // In the same cell.
+      often.insert(often.end(), { once[i] + nearly, once[i + 1] - nearly, once[i + 2] });
+    }
+  }
+  for (const int dimension : { vtkHashedOctreeFilter::Two, vtkHashedOctreeFilter::Three })
+  {
+    for (const int most : { 1, 3 })
+    {
+      TestedFilter filter(once);
+      filter->SetDimension(dimension);
+      filter->SetMaxPointsPerLeaf(most);
+      filter->UseCustomBoundsOn(); // The unit cube.
+      const auto expected = TakeOutputs(filter.GetFilter());
+      filter->SetInputData(MakePolyData(often));
+      filter->MergePointsOn();
+      ExpectSameOutputs(TakeOutputs(filter.GetFilter()), expected);
+      filter->MergePointsOff();
+      filter.Update();
+      EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), static_cast<double>(often.size() / 3));
+    }
+  }
+}
+
 TEST(TestHashedOctreeFilterBadInput, OddPlacesHaveTheirPlainOctree)
 {
   const double least = std::numeric_limits<double>::denorm_min();

@@ -14,7 +14,7 @@ queries.Transform.Scale = [0.7, 0.9, 1.1]  # Partly outside the box of the spher
 # The proxy.
 locate = simple.HashedOctreeLocate(Input=sphere, QueryPoints=queries)
 names = check_properties(locate, vtkHashedOctreeLocateFilter, inputs=["Input", "QueryPoints"])
-values = {"Dimension": "Two", "Plane": "YZ", "MaxPointsPerLeaf": 7, "MaxDepth": 9,
+values = {"Dimension": "Two", "Plane": "YZ", "MaxPointsPerLeaf": 7, "MergePoints": 1, "MaxDepth": 9,
           "FrequencyModel": "Grid", "StartDepthModel": "Fixed", "FixedStartDepth": 3,
           "IncludeEmptyLeaves": 1}
 assert set(values) == names, names

@@ -12,7 +12,7 @@ sphere.UpdatePipeline()
 neighbors = simple.HashedOctreeNeighbors(Input=sphere)
 names = octreetesting.check_properties(neighbors, vtkHashedOctreeNeighborsFilter,
                                        {"SearchMode": SEARCH_MODES})
-assert len(names) == 13, names
+assert len(names) == 14, names
 
 # In ParaView the ball begins in the middle of the input, a fifth as large: within a closed surface
 # it meets more than the empty leaf around it.
@@ -40,7 +40,7 @@ assert groups == {"InteractiveSphere": "1", "InteractiveHandle": "0"}, groups
 
 # Values reach the class. At depth 1, key 15 is a leaf.
 octreetesting.check_values(neighbors, vtkHashedOctreeNeighborsFilter, {
-    "Dimension": "Three", "Plane": "YZ", "MaxPointsPerLeaf": 2, "MaxDepth": 1,
+    "Dimension": "Three", "Plane": "YZ", "MaxPointsPerLeaf": 2, "MergePoints": 1, "MaxDepth": 1,
     "FrequencyModel": "Grid", "StartDepthModel": "Fixed", "FixedStartDepth": 3,
     "IncludeEmptyLeaves": 0, "SearchMode": "InRadius", "Center": [0.5, 0.0, 0.0],
     "Radius": 0.125, "UseLeafKey": 1, "LeafKey": 15})

@@ -220,6 +220,11 @@ ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
 mine.GetPointData().AddArray(ghosts)
 expect_same_tree(run(mine, PROCESSES), run(make_points(cube), 1))
 
+# So are points that nobody marks, where they are merged.
+mine = make_points(numpy.concatenate([cube[rank::PROCESSES], cube[:300], cube[0::PROCESSES]]))
+for values in ({}, {"MaxPointsPerLeaf": 5}):
+    expect_same_tree(run(mine, PROCESSES, MergePoints=True, **values), run(make_points(cube), 1, **values))
+
 # Blocks, of which processes have some only; the trees are there where the blocks are.
 def make_blocks(kind, *blocks):
     data = kind()

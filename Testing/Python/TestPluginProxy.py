@@ -7,10 +7,10 @@ from paraview import simple
 octree = simple.HashedOctree(Input=simple.Sphere())
 names = octreetesting.check_properties(octree, vtkHashedOctreeFilter,
                                        {"OutputType": ["Voxels", "Outlines", "HyperTreeGrid"]})
-assert len(names) == 12, names
+assert len(names) == 13, names
 
 # Values reach the class.
-values = {"Dimension": "Two", "Plane": "XZ", "MaxPointsPerLeaf": 7, "MaxDepth": 9,
+values = {"Dimension": "Two", "Plane": "XZ", "MaxPointsPerLeaf": 7, "MergePoints": 1, "MaxDepth": 9,
           "FrequencyModel": "Grid", "StartDepthModel": "Fixed", "FixedStartDepth": 3,
           "OutputType": "Outlines", "IncludeEmptyLeaves": 1, "IncludeInternalNodes": 1,
           "UseCustomBounds": 1,
