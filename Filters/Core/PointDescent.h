@@ -81,23 +81,7 @@ public:
     }
     if (size > this->Tree.GetMostInLeaf())
     {
-      if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
-      {
-        SearchPoints<Dim, Real>(*nested, this->X, this->Points, this->Examined, 1);
-        return;
-      }
-      if (this->Tree.PartsAllPlaces())
-      {
-        // All points are at one place.
-        if constexpr (!Collector::HasFixedBall)
-        {
-          size = std::min(size, this->Points.GetMostAtOnePlace());
-        }
-        else if (!this->IsWithin(first, stride))
-        {
-          return;
-        }
-      }
+      size = this->PrepareLargeLeaf(first, size);
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
     const PointIndex* ids = this->Tree.GetIds() + first;
@@ -149,6 +133,29 @@ private:
   /** Balls that reach less far than half a child's side seldom hold one. Squared, in steps. */
   static constexpr double LeastToHoldNodes2 =
     ChildBoxes<Dim>::Steps * ChildBoxes<Dim>::Steps / 16.0;
+
+  /** How many points of a leaf with more than Tree.GetMostInLeaf() are to be measured: none if it
+   * has a nested tree, which is searched; where all are at one place, as many as are wanted. */
+  [[gnu::noinline]] std::size_t PrepareLargeLeaf(PointIndex first, std::size_t size)
+  {
+    if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
+    {
+      SearchPoints<Dim, Real>(*nested, this->X, this->Points, this->Examined, 1);
+      return 0;
+    }
+    if (!this->Tree.PartsAllPlaces())
+    {
+      return size;
+    }
+    if constexpr (Collector::HasFixedBall)
+    {
+      return this->IsWithin(first, size) ? size : 0;
+    }
+    else
+    {
+      return std::min(size, this->Points.GetMostAtOnePlace());
+    }
+  }
 
   /** Whether the first point of a leaf with `size` points is within the ball. */
   bool IsWithin(PointIndex firstPoint, std::size_t size) const
