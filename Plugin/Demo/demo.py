@@ -258,16 +258,16 @@ def most_varied_place(octree, stage):
     return places[inside][amid], np.median(depths[inside])
 
 
-def set_colors(array, least, greatest):
-    """One colour and one label for each whole number, of which those in the data are in the legend; the whole scale for
-    those from the least to the greatest, since the others appear only if the octree changes."""
-    steps = np.arange(MOST_STEPS)
+def set_colors(array, least, greatest, may_change=False):
+    """One colour and one label for each whole number from the least to the greatest; for others, too, if the octree may
+    change, of which ParaView then shows those between the extremes."""
+    steps = np.arange(MOST_STEPS) if may_change else np.arange(int(least), int(greatest) + 1)
     at = np.clip((steps - least) / max(1, greatest - least), 0, 1) * (len(SCALE) - 1)
     colors = np.column_stack([np.interp(at, np.arange(len(SCALE)), channel) for channel in SCALE.T])
     function = simple.GetColorTransferFunction(array)
     function.InterpretValuesAsCategories = 1
     function.AnnotationsInitialized = 1
-    function.ShowCategoricalColorsinDataRangeOnly = 1
+    function.ShowCategoricalColorsinDataRangeOnly = int(may_change)
     function.Annotations = [str(step) for step in steps for _ in range(2)]
     function.IndexedColors = list(colors.ravel())
     return function
@@ -487,7 +487,7 @@ def show(path):
     layout.SplitHorizontal(0, 0.55)
     layout.SplitVertical(2, 0.5)
     stage = Stage(octree.GetDataInformation().GetBounds(), path)
-    set_colors("Depth", *octree.CellData["Depth"].GetRange())
+    set_colors("Depth", *octree.CellData["Depth"].GetRange(), may_change=True)
     shown = show_occupied(octree, view, figures, stage.shows_edges(figures, view.ViewSize[1]))
     shown.SetScalarBarVisibility(view, True)
     stage.look(view, 0.4, 0.75 if stage.flat else 0.35)

@@ -76,7 +76,7 @@ assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis
 # In the order of the panel's list, which it would put them into when it is shown.
 assert list(shown.SeriesVisibility) == sorted(octreetesting.COSTS[1:]), shown.SeriesVisibility
 assert view.BottomAxisTitle and view.LeftAxisTitle
-assert view.BottomAxisUseCustomLabels and list(view.BottomAxisLabels)[:4] == ["0", "0", "2", "2"]
+assert view.BottomAxisUseCustomLabels and list(view.BottomAxisLabels)[:4] == ["0", "0", "1", "1"]
 
 # Charts draw the tables of composite data, and what is chosen for a column holds in every block.
 blocks = simple.GroupDatasets(Input=[octree.Input, simple.Sphere(Center=[9.0, 0.0, 0.0])])
@@ -113,6 +113,6 @@ assert view.GetXMLName() == "HashedOctreeDepthHistogramView", view.GetXMLName()
 assert shown.XArrayName == "Depth" and not shown.UseIndexForXAxis
 assert list(shown.SeriesVisibility) == ["EmptyLeaves", "Leaves", "Points"], shown.SeriesVisibility
 assert view.BottomAxisTitle and view.LeftAxisTitle
-assert view.BottomAxisUseCustomLabels and list(view.BottomAxisLabels)[:4] == ["0", "0", "2", "2"]
+assert view.BottomAxisUseCustomLabels and list(view.BottomAxisLabels)[:4] == ["0", "0", "1", "1"]
 if not smtesting.DoRegressionTesting(view.SMProxy):
     sys.exit("The picture differs from the baseline.")
