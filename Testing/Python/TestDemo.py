@@ -17,6 +17,7 @@ import matplotlib.pyplot as plt
 
 folder = octreetesting.argument("-T")
 PICTURES = "octree-depth.png", "octree-hitcost.png", "depth-histogram.png", "cost-curves.png"
+NO_COLOR = 1.0, 1.0, 0.0  # what ParaView draws where a number has none
 TABLES = "depth-histogram.csv", "cost-curves.csv"
 
 
@@ -46,6 +47,7 @@ def expect_demo(path, leaves):
         for half in np.array_split(picture[:demo.HALF[1]], 2, axis=1):
             colored = (np.ptp(half, axis=2) > 0.2).mean()
             assert colored > 0.0002, (path, name, colored)
+        assert not (abs(picture - NO_COLOR).max(axis=2) < 0.02).any(), (path, name)
     with open(os.path.join(folder, TABLES[0]), newline="") as file:
         rows = list(csv.DictReader(file))
     assert sum(int(row["Leaves"]) - int(row["EmptyLeaves"]) for row in rows) == leaves, rows
@@ -58,6 +60,10 @@ for array, name, values in ((words, "Title", ["a"]), (nothing, "Nothing", []), (
         array.InsertNextValue(value)
 random = np.random.default_rng(2301)
 expect_demo(write_points("ball.vtp", random.standard_normal((400, 3)), words, nothing, many), 400)
+
+# Hills before a slice, whose large leaves are above all that hold points.
+hills = np.column_stack((random.random((3000, 2)), 0.02 * random.random(3000)))
+expect_demo(write_points("hills.vtp", hills), 3000)
 
 # Leaves at the last depth, which are far too small to be seen but as dots.
 flat = np.column_stack((random.random((900, 2)), np.zeros(900)))
