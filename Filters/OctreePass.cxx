@@ -35,9 +35,10 @@ namespace
 /** Shares of the progress of one point set: where each step ends. */
 constexpr double AdaptorShare = 0.02;
 constexpr double SelectionShare = 0.05;
-/** Shares of the progress of building a tree of keys: where each step ends. */
-constexpr double CodesShare = 0.1;
-constexpr double MergingShare = 0.3;
+/** Share of the progress of building a tree of keys: where these are made. */
+constexpr double KeysShare = 0.2;
+/** And of making them: where there is one for each point. */
+constexpr double CodesShare = 0.4;
 
 /** The points that a process has for a tree, but for those that VTK marks as another piece's. */
 template <typename Real>
@@ -65,13 +66,13 @@ struct OwnPoints
   }
 };
 
-/** The keys of a process's points in the root of all of them. */
+/** The keys of a process's points in the root of all of them; merged, if they are to be. */
 template <int Dim, typename Real>
 std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
   const OwnPoints<Real>& own, const Execution& execution)
 {
   const auto coded = EncodePoints(Project(own.Points, frame, own.Selection.GetBox()),
-    PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution);
+    PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
   std::vector<MortonKey<Dim>> keys;
   keys.reserve(coded.GetSize());
   for (std::size_t i = 0; i < coded.GetSize(); ++i)
@@ -81,7 +82,7 @@ std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim
       keys.push_back(coded[i].GetKey());
     }
   }
-  return keys;
+  return own.Merge ? GetDistinctKeys(keys, execution.Part(CodesShare, 1.0)) : keys;
 }
 
 /** The tree of a process alone. */
@@ -93,12 +94,8 @@ PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
   PointsOctree<Dim> octree;
   if (own.Merge || own.HasDuplicates())
   {
-    std::vector<MortonKey<Dim>> keys = MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare));
-    if (own.Merge)
-    {
-      keys = GetDistinctKeys(keys, execution.Part(CodesShare, MergingShare));
-    }
-    octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(MergingShare, 1.0));
+    octree.Tree = Octree<Dim>(grid, MakeKeys(frame, grid, own, execution.Part(0.0, KeysShare)),
+      options, execution.Part(KeysShare, 1.0));
   }
   else
   {
@@ -119,8 +116,8 @@ PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Di
     Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
   PointsOctree<Dim> octree = processes.AreSeveral()
     ? BuildDistributedOctree(processes, grid,
-        MakeKeys(frame, grid, own, execution.Part(0.0, CodesShare)), own.Merge, options,
-        execution.Part(CodesShare, 1.0))
+        MakeKeys(frame, grid, own, execution.Part(0.0, KeysShare)), own.Merge, options,
+        execution.Part(KeysShare, 1.0))
     : BuildAlone(frame, grid, own, options, execution);
   octree.Frame = frame;
   octree.SkippedPoints = processes.Sum(own.Selection.GetNumberOfSkippedPoints());
@@ -323,11 +320,6 @@ void OctreePass::TellOfUnusedPoints() const
   {
     WarnOfSkippedPoints(
       this->Algorithm, this->SkippedPoints, static_cast<vtkIdType>(this->AllPoints));
-  }
-  if (this->UsedPoints == 0 && this->SkippedPoints < this->AllPoints)
-  {
-    vtkWarningWithObjectMacro(
-      this->Algorithm, << "No point with finite coordinates lies in CustomBounds; widen them.");
   }
   if (this->ImplicitBlocks > 0)
   {

@@ -47,9 +47,8 @@ public:
 
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
-   * finite, once where a given root has none of those that are, and once of blocks without
-   * coordinates of their own. Throws Interrupted, and std::exception with what to tell the user,
-   * also when there are no other blocks with points. */
+   * finite, and once of blocks without coordinates of their own. Throws Interrupted, and
+   * std::exception with what to tell the user, also when there are no other blocks with points. */
   template <typename Function>
   void Execute(vtkDataObject* input, const Targets& targets, const Function& makeOutputs)
   {
@@ -61,6 +60,11 @@ public:
 
   /** Those who made the trees together, of all calls so far. */
   const ProcessGroup& GetProcesses() const { return this->Processes; }
+  /** Whether they met finite points, but none in the root that was given. */
+  bool AreAllOutside() const
+  {
+    return this->UsedPoints == 0 && this->SkippedPoints < this->AllPoints;
+  }
 
   static Targets GetPorts(vtkInformationVector* outputVector);
 

@@ -176,9 +176,15 @@ int vtkHashedOctreeFilter::RequestData(
         const double* b = this->CustomBounds;
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
-      OctreePass(this, processes, root)
-        .Execute(
-          vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector), Run(this));
+      OctreePass pass(this, processes, root);
+      pass.Execute(
+        vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector), Run(this));
+      const ProcessGroup& together = pass.GetProcesses();
+      const bool isAll = together.AreSeveral() || !IsPieceRequested(request, outputVector);
+      if (pass.AreAllOutside() && isAll && together.IsFirst())
+      {
+        vtkWarningMacro(<< "No point with finite coordinates lies in CustomBounds; widen them.");
+      }
     });
 }
 

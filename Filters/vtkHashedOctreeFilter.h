@@ -15,7 +15,7 @@
  * Input: any vtkPointSet; of composite data sets every block by itself, one tree per block. Outputs
  * are then composite data sets of its structure: port 0 of its kind, the tables in a
  * vtkMultiBlockDataSet. Blocks without coordinates of their own (vtkImageData) are left out with
- * one warning; an input that has no others, as AMR, is an error.
+ * one warning; an input with no other points, as AMR, is an error.
  *
  * Output port 0, the nodes of the tree as cells, ordered by depth, then by Morton key, in a
  * vtkUnstructuredGrid of VTK_VOXEL or, of a quadtree, VTK_PIXEL (Voxels), or in a vtkPolyData of a

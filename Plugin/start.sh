@@ -3,8 +3,8 @@
 #
 # Sets everything up, then shows the octree of the points in FILE in ParaView.
 #   Plugin/start.sh [--batch] [FILE]
-# FILE is anything that ParaView reads (.ply .obj .stl .vtp .vtk .vtu ...); without it, a measured
-# terrain is shown. Without a display, or with --batch, pictures and tables are written to build/demo/
+# FILE is anything that ParaView reads (.ply .obj .stl .vtp .vtk .vtu ..., .csv with
+# columns x, y and z); without it, a measured terrain is shown. Without a display, or with --batch, pictures and tables are written to build/demo/
 # instead.
 set -euo pipefail
 

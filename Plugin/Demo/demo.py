@@ -24,7 +24,7 @@ HALF = PICTURE_SIZE[0] // 2, 860  # of a picture of the octree, above its legend
 MOST_STEPS = 33  # depths and costs are less
 # A slice through more leaves than these takes too long for a demo.
 MAX_LEAVES_IN_SLICE = 4_000_000
-GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu"
+GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu .csv"
 TEXT, EDGE, WHITE = [0.13] * 3, [0.2] * 3, [1.0] * 3
 # From shallow or cheap to deep or dear: ColorBrewer's Spectral, reversed and its middle less pale.
 SCALE = np.array([[0x5e, 0x4f, 0xa2], [0x32, 0x88, 0xbd], [0x66, 0xc2, 0xa5], [0x9a, 0xd6, 0x92], [0xd9, 0xea, 0x72],
@@ -156,7 +156,7 @@ def human_bytes(count):
         return exact
     for unit in ("KiB", "MiB", "GiB"):
         count /= 1024
-        if count < 1024 or unit == "GiB":
+        if count < 1023.95 or unit == "GiB":
             return f"{count:.1f} {unit} ({exact})"
 
 

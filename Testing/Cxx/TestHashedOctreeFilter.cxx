@@ -69,6 +69,7 @@ TEST(TestHashedOctreeFilter, PrintsEveryProperty)
   filter->SetDimension(vtkHashedOctreeFilter::Two);
   filter->SetPlane(vtkHashedOctreeFilter::YZ);
   filter->SetMaxPointsPerLeaf(11);
+  filter->MergePointsOn();
   filter->SetMaxDepth(12);
   filter->SetFrequencyModel(vtkHashedOctreeFilter::Grid);
   filter->SetStartDepthModel(vtkHashedOctreeFilter::Fixed);
@@ -78,10 +79,10 @@ TEST(TestHashedOctreeFilter, PrintsEveryProperty)
   filter->SetCustomBounds(14, 15, 16, 17, 18, 19);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line :
-    { "Dimension: 2", "Plane: 2", "MaxPointsPerLeaf: 11", "MaxDepth: 12", "FrequencyModel: 2",
-      "StartDepthModel: 3", "FixedStartDepth: 13", "OutputType: 1", "IncludeEmptyLeaves: 1",
-      "IncludeInternalNodes: 0", "UseCustomBounds: 0", "CustomBounds: 14, 15, 16, 17, 18, 19" })
+  for (const char* line : { "Dimension: 2", "Plane: 2", "MaxPointsPerLeaf: 11", "MergePoints: 1",
+         "MaxDepth: 12", "FrequencyModel: 2", "StartDepthModel: 3", "FixedStartDepth: 13",
+         "OutputType: 1", "IncludeEmptyLeaves: 1", "IncludeInternalNodes: 0", "UseCustomBounds: 0",
+         "CustomBounds: 14, 15, 16, 17, 18, 19" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line << " is not in\n" << text.str();
   }
@@ -125,6 +126,8 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
   filter->SetDimension(vtkHashedOctreeFilter::Three);
   expectRun();
   filter->SetMaxPointsPerLeaf(2);
+  expectRun();
+  filter->MergePointsOn();
   expectRun();
   filter->SetMaxDepth(3);
   expectRun();

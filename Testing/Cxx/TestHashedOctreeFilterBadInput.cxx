@@ -99,6 +99,12 @@ TEST(TestHashedOctreeFilterBadInput, AnEmptyPieceMakesNothing)
     EXPECT_EQ(filter.Warnings, std::vector<std::string>());
     filter.ExpectEmptyOutputs();
   }
+
+  TestedFilter filter({ 1, 2, 3 });
+  filter->UseCustomBoundsOn(); // The unit cube, in which others may have points.
+  filter.UpdatePiece(0, 1, 4);
+  EXPECT_EQ(filter.Warnings, std::vector<std::string>());
+  filter.ExpectEmptyOutputs();
 }
 
 TEST(TestHashedOctreeFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarning)
@@ -134,28 +140,38 @@ TEST(TestHashedOctreeFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarn
 
 TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreLeftOut)
 {
+  std::vector<double> own = MakeUniformPoints<3, double>(300, 49);
+  own.insert(own.end(), own.begin(), own.begin() + 60); // Some twice.
+  std::vector<double> all = own;
+  const std::vector<double> others = MakeUniformPoints<3, double>(100, 50, -0.5, 2.0);
+  all.insert(all.begin() + 30, others.begin(), others.end());
+  const auto input = MakePolyData(all);
+  double bounds[6]; // Of all, since a piece has those of the whole.
+  input->GetBounds(bounds);
+  vtkUnsignedCharArray* ghosts = input->AllocatePointGhostArray();
+  std::fill_n(ghosts->GetPointer(10), 100, vtkDataSetAttributes::DUPLICATEPOINT);
+  ghosts->SetValue(0, vtkDataSetAttributes::HIDDENPOINT); // Which is one, though it is not shown.
   for (const int dimension : { vtkHashedOctreeFilter::Two, vtkHashedOctreeFilter::Three })
   {
-    const std::vector<double> own = MakeUniformPoints<3, double>(300, 49);
-    std::vector<double> all = own;
-    const std::vector<double> others = MakeUniformPoints<3, double>(100, 50, 0.25, 0.75);
-    all.insert(all.begin() + 30, others.begin(), others.end());
-    const auto input = MakePolyData(all);
-    vtkUnsignedCharArray* ghosts = input->AllocatePointGhostArray();
-    std::fill_n(ghosts->GetPointer(10), 100, vtkDataSetAttributes::DUPLICATEPOINT);
-    ghosts->SetValue(0, vtkDataSetAttributes::HIDDENPOINT); // Which is one, though it is not shown.
-
-    TestedFilter filter;
-    filter->SetDimension(dimension);
-    filter->SetInputData(MakePolyData(own));
-    const auto expected = TakeOutputs(filter.GetFilter());
-    filter->SetInputData(input);
-    ExpectSameOutputs(TakeOutputs(filter.GetFilter()), expected);
-
-    std::fill_n(ghosts->GetPointer(0), 400, vtkDataSetAttributes::DUPLICATEPOINT);
-    ghosts->Modified();
-    filter.UpdateToNothing();
+    for (const bool merge : { false, true })
+    {
+      TestedFilter filter;
+      filter->SetDimension(dimension);
+      filter->SetMergePoints(merge);
+      filter->UseCustomBoundsOn();
+      filter->SetCustomBounds(bounds);
+      filter->SetInputData(MakePolyData(own));
+      const auto expected = TakeOutputs(filter.GetFilter());
+      filter->UseCustomBoundsOff();
+      filter->SetInputData(input);
+      ExpectSameOutputs(TakeOutputs(filter.GetFilter()), expected);
+      EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), merge ? 300 : 320);
+    }
   }
+  std::fill_n(ghosts->GetPointer(0), 420, vtkDataSetAttributes::DUPLICATEPOINT);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.UpdateToNothing();
 }
 
 TEST(TestHashedOctreeFilterBadInput, CustomBoundsThatCannotBeAreAnError)

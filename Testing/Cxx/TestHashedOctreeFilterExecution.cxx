@@ -128,6 +128,15 @@ TEST(TestHashedOctreeFilterExecution, ProgressMovesThroughTheWholeRun)
   }
 }
 
+TEST(TestHashedOctreeFilterExecution, ProgressMovesWhilePointsAreMerged)
+{
+  TestedFilter filter;
+  filter->SetInputData(MakeManyPoints(300000, 65));
+  filter->MergePointsOn();
+  filter.UpdateWithoutErrors();
+  filter.ExpectProgressInSteps(0.2);
+}
+
 TEST(TestHashedOctreeFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUpdateSucceeds)
 {
   const auto points = MakeManyPoints(20000, 61);

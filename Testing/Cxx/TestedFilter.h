@@ -29,7 +29,6 @@ public:
     this->UpdateWithoutErrors();
     this->ExpectThreeOutputs();
   }
-  /** Update() of an input that the filter must refuse, with one error that says `words`. */
   /** Runs it, and expects empty outputs without a word. */
   void UpdateToNothing()
   {
@@ -37,6 +36,7 @@ public:
     EXPECT_EQ(this->Warnings, std::vector<std::string>());
     this->ExpectEmptyOutputs();
   }
+  /** Update() of an input that the filter must refuse, with one error that says `words`. */
   void UpdateInError(const std::string& words)
   {
     this->UpdateExpectingError(words);

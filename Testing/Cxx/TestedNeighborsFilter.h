@@ -50,7 +50,6 @@ public:
     EXPECT_EQ(this->GetCells()->GetCellData()->GetNumberOfArrays(), 0);
     EXPECT_EQ(this->GetCells()->GetFieldData()->GetNumberOfArrays(), 0);
   }
-  /** Update() of what the filter must refuse, with one error that says `words`. */
   /** Runs it, and expects an empty output without a word. */
   void UpdateToNothing()
   {
@@ -58,6 +57,7 @@ public:
     EXPECT_EQ(this->Warnings, std::vector<std::string>());
     this->ExpectEmptyOutput();
   }
+  /** Update() of what the filter must refuse, with one error that says `words`. */
   void UpdateInError(const std::string& words)
   {
     this->UpdateExpectingError(words);

@@ -76,6 +76,21 @@ for first_line in ("Intensity,X,Y,Z", "x,y,z,Points:3", "Points:0,Points:1,Point
     np.savetxt(rows, random.random((200, 4)), delimiter=",", header=first_line, comments="")
     expect_demo(rows, 200)
 np.savetxt(rows, random.random((200, 4)), delimiter=",")
+# The window: its charts follow the octree, whatever becomes of it.
+demo.show(write_points("shown.vtp", random.random((500, 3))))
+octree = demo.simple.GetActiveSource()
+assert octree.GetXMLName() == "HashedOctree", octree.GetXMLName()
+charts = [view for view in demo.simple.GetViews() if view.GetXMLName() != "RenderView"]
+assert len(charts) == 2, charts
+for chart in charts:
+    assert not chart.ChartTitle and not chart.LeftAxisUseCustomRange and not chart.BottomAxisUseCustomRange
+octree.MaxPointsPerLeaf = 100
+demo.simple.RenderAllViews()
+
+assert demo.human_bytes(1023) == "1,023 bytes"
+assert demo.human_bytes(1536) == "1.5 KiB (1,536 bytes)"
+assert demo.human_bytes(2**20 - 1) == "1.0 MiB (1,048,575 bytes)"
+
 try:
     demo.write_all(rows, folder)
     sys.exit("A table is shown of which nobody knows the coordinates.")

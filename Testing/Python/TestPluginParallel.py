@@ -45,8 +45,8 @@ def make_points(coordinates):
 
 
 def run(data, pieces, errors=None, filter_=vtkHashedOctreeFilter, queries=None, **properties):
-    """The filter's outputs for a data set in this process, as one of so many pieces. Notes the
-    texts of errors where they are expected."""
+    """The filter's outputs for a data set in this process, as one of so many pieces. Where errors
+    are expected, notes their texts and those of warnings."""
     octree = filter_()
     octree.SetInputData(data)
     if queries is not None:
@@ -60,6 +60,8 @@ def run(data, pieces, errors=None, filter_=vtkHashedOctreeFilter, queries=None, 
         texts.append(text)
     note.CallDataType = "string0"
     octree.AddObserver("ErrorEvent", note)
+    if errors is not None:
+        octree.AddObserver("WarningEvent", note)
     octree.UpdatePiece(rank if pieces > 1 else 0, pieces, 0)
     assert errors is not None or not texts, texts
     return [octree.GetOutputDataObject(port) for port in range(octree.GetNumberOfOutputPorts())]
@@ -309,11 +311,28 @@ for number, pieces in [(rank, 2 * PROCESSES), ((rank + 1) % PROCESSES, PROCESSES
 grid = run(mine, PROCESSES, OutputType=vtkHashedOctreeFilter.HyperTreeGrid)[0]
 assert arrays(grid.GetCellData())["PointCount"][0] == len(cube)
 
-# Nothing in all processes, and one process that is aborted.
+# Nothing in all processes: no points, or none that are their own.
 errors = []
-piece = run(make_points(cube[:0]), PROCESSES, errors)
-assert errors == [], errors
-assert piece[0].GetNumberOfCells() == piece[1].GetNumberOfRows() == 0
+marked = make_points(cube)
+ghosts = numpy_to_vtk(numpy.full(len(cube), vtkDataSetAttributes.DUPLICATEPOINT, numpy.uint8), deep=True)
+ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+marked.GetPointData().AddArray(ghosts)
+for nothing in (make_points(cube[:0]), marked):
+    piece = run(nothing, PROCESSES, errors)
+    assert errors == [], errors
+    assert piece[0].GetNumberOfCells() == piece[1].GetNumberOfRows() == 0
+    assert piece[0].GetFieldData().GetNumberOfArrays() == 0
+
+# Warnings are said once, of the points of all.
+outside = {"UseCustomBounds": True, "CustomBounds": (2, 3, 2, 3, 2, 3)}
+for points, properties, words in ((holes, {}, f"{len(holes[::7])} of {len(holes)} points"),
+                                  (cube, outside, "lies in CustomBounds")):
+    warnings = []
+    run(make_points(points[rank::PROCESSES]), PROCESSES, warnings, **properties)
+    assert len(warnings) == (1 if rank == 0 else 0), warnings
+    assert all(words in warning for warning in warnings), warnings
+
+# And one process that is aborted.
 octree = vtkHashedOctreeFilter()
 mine = make_points(cube[rank::PROCESSES])
 octree.SetInputData(mine)
