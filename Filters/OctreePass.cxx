@@ -224,10 +224,6 @@ OctreePass::Outputs OctreePass::Process(
   const bool isImplicit =
     data != nullptr && input == nothing && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
   this->ImplicitBlocks += this->Processes.Max(isImplicit ? 1 : 0);
-  if (input->GetNumberOfPoints() == 0 && !this->Processes.AreSeveral())
-  {
-    return {};
-  }
   const std::optional<AnyPointsOctree> octree = this->Build(input, execution);
   Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};
   for (vtkDataObject* output : outputs)

@@ -27,8 +27,8 @@ ProcessGroup FindProcesses(
 void ForgetOutputs(vtkInformationVector* outputVector);
 
 /** RunReportingProblems() of body(processes), which they run together. After a problem of one all
- * of them execute again at the next update, since one that was aborted does. Returns what the
- * RequestData() must return. */
+ * of them execute again at their next update, unless a filter behind them thinks it needs none,
+ * since one that was aborted does. Returns what the RequestData() must return. */
 template <typename Body>
 int RunTogether(vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request,
   vtkInformationVector* outputVector, const Body& body)

@@ -21,7 +21,8 @@
  * when as many pieces are asked for as there are processes, and of each the one of its rank, as
  * ParaView does. All of them have to update the filter then, and what changes in one, be it the
  * filter or its input, has to be Modified() in all: each waits for the others. What fails in one,
- * or is aborted there, ends it in all, with an error in the others.
+ * or is aborted there, ends it in all, with an error in the others; then, too, call
+ * Modified() in all, where other filters follow, which else take it for done.
  *
  * The points of all pieces are in the tree, and equal ones count each, but for points that VTK
  * marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's, on one process
@@ -108,8 +109,9 @@ public:
 
   ///@{
   /** Whether points in one cell of the grid (2^21 cells along each axis of an octree, 2^31 of a
-   * quadtree, whatever MaxDepth) count as one: equal points, and such as are the same but for their
-   * last digits. Else they share a leaf at MaxDepth where they are more than MaxPointsPerLeaf,
+   * quadtree, whatever MaxDepth) count as one: equal points, and such as differ in their last
+   * digits, but for those with a border of cells between them, as in the middle of the root. Else
+   * they share a leaf at MaxDepth where they are more than MaxPointsPerLeaf,
    * which is then too small to be seen. Default off. */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);

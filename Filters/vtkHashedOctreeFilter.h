@@ -54,12 +54,12 @@
  * or further from 0 than a quarter of the largest double (4.4e307), are left out with one warning.
  * An input without points, or without one that can be used, has no tree: the outputs are empty, of
  * a composite input the block is null. Points that all lie outside CustomBounds are told of by a
- * warning. After an error, which is said once, the outputs are empty, too; to the pipeline the
- * update is done, so that what follows shows that there is nothing. The result, but for
- * BuildSeconds, does not depend on the number of threads (vtkSMPTools). Progress is reported
- * throughout; an abort is heeded within a tenth of a second and leaves all outputs empty (VTK keeps
- * AbortExecute set: reset it before the next update). Points with the same cell at MaxDepth share a
- * leaf, however many they are. At most 2^32
+ * warning, but of a piece without the others. After an error, which is said once, the outputs are
+ * empty, too; to the pipeline the update is done, so that what follows shows that there is nothing.
+ * The result, but for BuildSeconds, does not depend on the number of threads (vtkSMPTools).
+ * Progress is reported throughout; an abort is heeded within a tenth of a second and leaves all
+ * outputs empty (VTK keeps AbortExecute set: reset it before the next update). Points with the same
+ * cell at MaxDepth share a leaf, however many they are. At most 2^32
  * - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes.
  *
  * Several processes that have the pieces of a data set make one tree together, of which each has a

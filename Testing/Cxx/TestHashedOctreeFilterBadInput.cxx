@@ -186,6 +186,10 @@ TEST(TestHashedOctreeFilterBadInput, CustomBoundsThatCannotBeAreAnError)
     filter->SetCustomBounds(box.data());
     filter.UpdateInError("bounds");
     ExpectToWorkAgain(filter);
+    filter->UseCustomBoundsOn();
+    filter->SetInputData(MakePolyData({}));
+    filter.UpdateInError("bounds");
+    ExpectToWorkAgain(filter);
   }
 }
 
@@ -254,7 +258,7 @@ TEST(TestHashedOctreeFilterBadInput, MergedPointsCountAsOne)
       ExpectSameOutputs(TakeOutputs(filter.GetFilter()), expected);
       filter->MergePointsOff();
       filter.Update();
-      EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), static_cast<double>(often.size() / 3));
+      EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), static_cast<double>(often.size()) / 3);
     }
   }
 }
