@@ -304,9 +304,8 @@ void OctreePass::TellOfUnusedPoints() const
 {
   if (this->ImplicitBlocks > 0 && this->AllPoints == 0)
   {
-    throw std::invalid_argument(
-      "The points of the input have no coordinates of their own, as those "
-      "of images; vtkConvertToPointCloud gives them some.");
+    throw std::invalid_argument("The points of the input have no coordinates of their own, as "
+                                "those of images; vtkConvertToPointCloud gives them some.");
   }
   if (!this->Processes.IsFirst())
   {

@@ -2,12 +2,11 @@
 #ifndef OctreePass_h
 #define OctreePass_h
 
-#include "PieceRequest.h"
 #include "PointsOctree.h"
+#include "ProcessGroup.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataObjectTree.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"

@@ -9,6 +9,7 @@
 #include "OctreePass.h"
 #include "OctreeTables.h"
 #include "PassFieldData.h"
+#include "PieceRequest.h"
 #include "StartDepths.h"
 
 #include "vtkDoubleArray.h"

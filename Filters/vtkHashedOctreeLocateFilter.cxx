@@ -6,6 +6,7 @@
 #include "LocatedQueries.h"
 #include "OctreePass.h"
 #include "OctreeTables.h"
+#include "PieceRequest.h"
 #include "QueryBlocks.h"
 
 #include "vtkCompositeDataSet.h"

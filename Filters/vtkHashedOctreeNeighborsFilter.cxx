@@ -7,6 +7,7 @@
 #include "InRadiusSearch.h"
 #include "OctreeCells.h"
 #include "OctreePass.h"
+#include "PieceRequest.h"
 #include "RangeCount.h"
 #include "ResizeArray.h"
 #include "StartDepths.h"
