@@ -3,9 +3,9 @@
 #
 # Sets everything up, then shows the octree of the points in FILE in ParaView.
 #   Plugin/start.sh [--batch] [FILE]
-# FILE is anything that ParaView reads (.ply .obj .stl .vtp .vtk .vtu ..., .csv with
-# columns x, y and z); without it, a measured terrain is shown. Without a display, or with --batch, pictures and tables are written to build/demo/
-# instead.
+# FILE is anything that ParaView reads (.ply .obj .stl .vtp .vtk .vtu ..., .csv with columns x, y and
+# z); without it, a measured terrain is shown. Without a display, or with --batch, pictures and tables
+# are written to build/demo/ instead.
 set -euo pipefail
 
 root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
