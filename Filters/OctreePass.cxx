@@ -46,7 +46,7 @@ struct OwnPoints
 {
   PointSpan<3, Real> Points;
   const PointSelection<3>& Selection;
-  vtkUnsignedCharArray* Ghosts; ///< Null where no point is one.
+  vtkUnsignedCharArray* Ghosts; ///< Null where no point is another piece's.
   bool Merge;                   ///< Whether those in one cell at the deepest depth count as one.
 
   bool IsDuplicate(PointIndex id) const
@@ -54,15 +54,6 @@ struct OwnPoints
     return this->Ghosts != nullptr &&
       (this->Ghosts->GetValue(static_cast<vtkIdType>(id)) & vtkDataSetAttributes::DUPLICATEPOINT) !=
       0;
-  }
-  bool HasDuplicates() const
-  {
-    bool has = false;
-    for (std::size_t id = 0; this->Ghosts != nullptr && !has && id < this->Points.Count; ++id)
-    {
-      has = this->IsDuplicate(static_cast<PointIndex>(id));
-    }
-    return has;
   }
 };
 
@@ -82,7 +73,11 @@ std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim
       keys.push_back(coded[i].GetKey());
     }
   }
-  return own.Merge ? GetDistinctKeys(keys, execution.Part(CodesShare, 1.0)) : keys;
+  if (own.Merge)
+  {
+    keys = GetDistinctKeys(keys, execution.Part(CodesShare, 1.0));
+  }
+  return keys;
 }
 
 /** The tree of a process alone. */
@@ -92,7 +87,7 @@ PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
   const Execution& execution)
 {
   PointsOctree<Dim> octree;
-  if (own.Merge || own.HasDuplicates())
+  if (own.Merge || own.Ghosts != nullptr)
   {
     octree.Tree = Octree<Dim>(grid, MakeKeys(frame, grid, own, execution.Part(0.0, KeysShare)),
       options, execution.Part(KeysShare, 1.0));
@@ -255,8 +250,9 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
       {
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
         auto octree = BuildInFrame(this->Processes, frame, *root,
-          OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{
-            span, selection, input->GetPointGhostArray(), this->Algorithm->GetMergePoints() },
+          OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{ span, selection,
+            input->HasAnyGhostPoints() ? input->GetPointGhostArray() : nullptr,
+            this->Algorithm->GetMergePoints() },
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
         if (octree.GetNumberOfPoints() > 0) // Not all are other pieces'.
         {

@@ -17,13 +17,19 @@ vtkInformation* GetRequested(vtkInformation* request, vtkInformationVector* outp
   const int port = request->Get(Pipeline::FROM_OUTPUT_PORT());
   return outputVector->GetInformationObject(std::max(port, 0)); // 0 also if unknown.
 }
-}
 
 bool IsPieceRequested(vtkInformation* request, vtkInformationVector* outputVector)
 {
   vtkInformation* requested = GetRequested(request, outputVector);
   return requested->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
     requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+}
+}
+
+bool HaveAllPieces(
+  const ProcessGroup& processes, vtkInformation* request, vtkInformationVector* outputVector)
+{
+  return processes.AreSeveral() || !IsPieceRequested(request, outputVector);
 }
 
 ProcessGroup FindProcesses(

@@ -181,8 +181,8 @@ int vtkHashedOctreeFilter::RequestData(
       pass.Execute(
         vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector), Run(this));
       const ProcessGroup& together = pass.GetProcesses();
-      const bool isAll = together.AreSeveral() || !IsPieceRequested(request, outputVector);
-      if (pass.AreAllOutside() && isAll && together.IsFirst())
+      if (pass.AreAllOutside() && HaveAllPieces(together, request, outputVector) &&
+        together.IsFirst())
       {
         vtkWarningMacro(<< "No point with finite coordinates lies in CustomBounds; widen them.");
       }

@@ -196,6 +196,11 @@ private:
   {
     using Comparison = SearchComparison<Dim>;
     std::vector<SearchRow> rows;
+    if (GetTotal(depths) == 0)
+    {
+      FillSearchTable(table, rows); // There is no mean, and no best start depth.
+      return;
+    }
     const auto add = [&](const char* name, typename Comparison::Search search)
     {
       rows.push_back({ name, searches.GetStartDepth(search), searches.GetPredictedMean(search),
@@ -214,10 +219,6 @@ private:
     const DepthHistogram predicted =
       GetDepthHistogram(octree.Counts, GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     rows.push_back({ "Entropy bound", -1, GetEntropyBound(predicted), GetEntropyBound(depths) });
-    if (GetTotal(depths) == 0)
-    {
-      rows.clear(); // There is no mean, and no best start depth.
-    }
     FillSearchTable(table, rows);
   }
 

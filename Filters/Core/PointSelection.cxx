@@ -17,18 +17,21 @@ void RequireValid(const Box<Dim>& box)
   {
     const double lower = box.Lower[axis];
     const double upper = box.Upper[axis];
-    std::ostringstream problem;
-    problem << "The given bounds are from " << lower << " to " << upper << " on axis "
-            << "xyzw"[axis];
-    if (lower > upper)
-    {
-      problem << "; give the lower one first.";
-      throw std::invalid_argument(problem.str());
-    }
     constexpr double most = Grid<Dim>::MaxCoordinate;
-    if (!(std::abs(lower) <= most && std::abs(upper) <= most))
+    const bool isFinite = std::abs(lower) <= most && std::abs(upper) <= most;
+    if (!isFinite || lower > upper)
     {
-      problem << "; give finite ones, not beyond " << most << ".";
+      std::ostringstream problem;
+      problem << "The given bounds are from " << lower << " to " << upper << " on axis "
+              << "xyzw"[axis] << "; give ";
+      if (isFinite)
+      {
+        problem << "the lower one first.";
+      }
+      else
+      {
+        problem << "finite ones, not beyond " << most << ".";
+      }
       throw std::invalid_argument(problem.str());
     }
   }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistinctKeys.h"
 
+#include "CurveBuilders.h"
 #include "Dimensions.h"
 #include "Threads.h"
 
+#include <algorithm>
 #include <random>
 #include <set>
 
@@ -13,21 +15,15 @@ template <typename Dimension>
 class TestDistinctKeys : public ::testing::Test
 {
 protected:
-  using Key = MortonKey<Dimension::value>;
-  using Keys = std::vector<Key>;
+  using Keys = CurveKeys<Dimension::value>;
 
-  /** As many keys, of not so many cells. */
-  static Keys MakeKeys(std::size_t count, std::uint64_t cells)
+  /** As many keys, of so many cells. */
+  static Keys MakeKeys(std::size_t count, std::size_t cells)
   {
-    std::mt19937_64 random(231);
+    const Keys some = MakeRandomKeys<Dimension::value>(cells, 231);
+    std::mt19937_64 random(232);
     Keys keys(count);
-    for (Key& key : keys)
-    {
-      // All over the root, and in the last bits, too.
-      const std::uint64_t cell = random() % cells;
-      key = Key(Key::Root().GetFirstAtMaxDepth().GetValue() +
-        (cell * 0x9e3779b97f4a7c15U >> (64 - Key::MaxDepth * Dimension::value)));
-    }
+    std::generate(keys.begin(), keys.end(), [&] { return some[random() % cells]; });
     return keys;
   }
 };
@@ -40,10 +36,10 @@ TYPED_TEST(TestDistinctKeys, HasEachOnceInOrder)
   EXPECT_EQ(GetDistinctKeys(OfDimension(), Execution()), OfDimension());
   for (const std::size_t count : { 1U, 2U, 50U, 100000U })
   {
-    for (const std::uint64_t cells : { 1U, 40U, 50000U })
+    for (const std::size_t cells : { 1U, 40U, 50000U })
     {
       const OfDimension keys = TestFixture::MakeKeys(count, cells);
-      const std::set<typename TestFixture::Key> expected(keys.begin(), keys.end());
+      const std::set<typename OfDimension::value_type> expected(keys.begin(), keys.end());
       for (const unsigned threads : { 1U, 3U })
       {
         EXPECT_EQ(GetDistinctKeys(keys, Execution(OnThreads(threads))),

@@ -62,6 +62,12 @@ public:
     EXPECT_EQ(this->Errors, std::vector<std::string>());
     EXPECT_EQ(this->PipelineErrors, std::vector<std::string>());
   }
+  /** Runs it, and expects neither errors nor warnings. */
+  void UpdateSilently()
+  {
+    this->UpdateWithoutErrors();
+    EXPECT_EQ(this->Warnings, std::vector<std::string>());
+  }
   /** Runs it for a piece of an output. */
   void UpdatePiece(int port, int piece, int numberOfPieces)
   {

@@ -33,6 +33,8 @@ public:
     EXPECT_LE(this->Fractions.back(), 1.0);
   }
 
+  const std::vector<double>& GetFractions() const { return this->Fractions; }
+
 private:
   std::vector<double> Fractions;
 };
