@@ -6,6 +6,8 @@
 #   Plugin/setup.sh --vtk                        the library for Debian's own VTK, in build/vtk
 #   Plugin/setup.sh --sanitize address|thread    the tests with a sanitizer, in build/asan or build/tsan
 #   Plugin/setup.sh --fuzz                       the fuzzers, in build/fuzz
+#   Plugin/setup.sh --machine aarch64|s390x      the core's tests for another machine, in build/aarch64 or
+#                                                build/s390x; ctest runs them in an emulator
 # Each of them with --tests, --benchmarks or both, in any order.
 set -euo pipefail
 
@@ -20,6 +22,7 @@ paraview_packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi
   xvfb xauth libgl1-mesa-dri libqt5svg5) # the last: ParaView's icons
 vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib)
 fuzz_packages=(clang libclang-rt-dev llvm) # llvm names the lines of a crash
+machine_packages=(qemu-user) # and the machine's compiler
 test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
 benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
 paraview_options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
@@ -29,6 +32,13 @@ sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo
   HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:STRING=OFF)
 fuzz_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo 'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-O2 -g1'
   CMAKE_CXX_COMPILER:STRING=/usr/bin/clang++ HASHEDOCTREE_HOST:STRING=NONE HASHEDOCTREE_FUZZ:BOOL=ON)
+
+# With MACHINE in place of the machine's name.
+machine_options=(HASHEDOCTREE_HOST:STRING=NONE
+  CMAKE_SYSTEM_NAME:STRING=Linux CMAKE_SYSTEM_PROCESSOR:STRING=MACHINE
+  CMAKE_C_COMPILER:STRING=/usr/bin/MACHINE-linux-gnu-gcc
+  CMAKE_CXX_COMPILER:STRING=/usr/bin/MACHINE-linux-gnu-g++
+  'CMAKE_CROSSCOMPILING_EMULATOR:STRING=/usr/bin/qemu-MACHINE;-L;/usr/MACHINE-linux-gnu')
 
 fail() {
   printf 'error: %s\n' "$1" >&2
@@ -47,6 +57,10 @@ read_arguments() {
         set_kind "$2"
         shift ;;
       --fuzz) set_kind fuzz ;;
+      --machine)
+        [[ "${2:-}" == aarch64 || "${2:-}" == s390x ]] || fail "--machine takes aarch64 or s390x"
+        set_kind "$2"
+        shift ;;
       --tests) tests=yes ;;
       --benchmarks) benchmarks=yes ;;
       *) fail "unknown option $1; see the head of Plugin/setup.sh" ;;
@@ -57,7 +71,7 @@ read_arguments() {
 
 set_kind() {
   [[ $kind == plugin || $kind == "$1" ]] ||
-    fail "--vtk, --sanitize and --fuzz have a build each; give one of them at a time"
+    fail "--vtk, --sanitize, --fuzz and --machine have a build each; give one of them at a time"
   kind="$1"
 }
 
@@ -76,6 +90,11 @@ choose_build() {
       build+=/fuzz
       packages+=("${fuzz_packages[@]}")
       options+=("${fuzz_options[@]}") ;;
+    aarch64 | s390x)
+      build+="/$kind"
+      tests=yes
+      packages+=("${machine_packages[@]}" "g++-$kind-linux-gnu")
+      options+=("${machine_options[@]//MACHINE/$kind}") ;;
     *)
       packages+=("${paraview_packages[@]}")
       options+=("${paraview_options[@]}") ;;

@@ -57,7 +57,7 @@ private:
   }
 
   std::size_t Wanted;
-  SelectPoints Select;
+  [[maybe_unused]] SelectPoints Select; ///< Only vectors need it.
   bool UseVectors;
   double Bound2 = std::numeric_limits<double>::infinity();
   RankedPoints Kept; ///< In registers up to MostInRegisters, also where fewer are wanted.

@@ -20,7 +20,7 @@ constexpr std::size_t FirstLargeSize = LargePageSize / 2;
 /** Asks for large pages where they pay, for memory that nothing has been written to yet: far fewer
  * page faults while it is filled, fewer misses when it is read at random, and less to give back
  * when it is freed. Only a hint, and nothing on systems that know none. */
-inline void UseLargePages(void* memory, std::size_t bytes)
+inline void UseLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
 {
 #ifdef __linux__
   if (bytes >= FirstLargeSize)
@@ -29,9 +29,6 @@ inline void UseLargePages(void* memory, std::size_t bytes)
     const std::uintptr_t first = (address + SmallPageSize - 1) / SmallPageSize * SmallPageSize;
     madvise(reinterpret_cast<void*>(first), address + bytes - first, MADV_HUGEPAGE);
   }
-#else
-  static_cast<void>(memory);
-  static_cast<void>(bytes);
 #endif
 }
 
@@ -88,7 +85,7 @@ inline void* AllocateZeroedInLargePages(std::size_t bytes)
   return std::calloc(bytes, 1);
 }
 
-inline void FreeZeroed(void* memory, std::size_t bytes)
+inline void FreeZeroed(void* memory, [[maybe_unused]] std::size_t bytes)
 {
 #ifdef __linux__
   if (bytes >= FirstLargeSize)
