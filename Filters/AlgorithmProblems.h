@@ -7,28 +7,14 @@
 
 namespace hashedoctree
 {
-/** What RunReportingProblems() does about the exception that is being handled. */
-void ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
-
 /**
- * Runs the body of a RequestData(). The body throws Interrupted when the algorithm was aborted, and
- * std::exception with what to tell the user, which becomes one error of the algorithm. In both
- * cases all outputs are emptied, and the request is done: where one fails, VTK leaves what follows
- * as it was, and ParaView's views never draw the filter again. Private to the module.
+ * What a RequestData() does about the exception that is being handled: Interrupted when the
+ * algorithm was aborted, else a std::exception with what to tell the user, which becomes one error
+ * of the algorithm. In both cases all outputs are emptied, and the request is done: where one
+ * fails, VTK leaves what follows as it was, and ParaView's views never draw the filter again.
+ * Private to the module.
  */
-template <typename Body>
-void RunReportingProblems(
-  vtkAlgorithm* algorithm, vtkInformationVector* outputVector, const Body& body)
-{
-  try
-  {
-    body();
-  }
-  catch (...)
-  {
-    ReportProblem(algorithm, outputVector);
-  }
-}
+void ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector);
 }
 
 #endif

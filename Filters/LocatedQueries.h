@@ -9,7 +9,6 @@
 #include "vtkDataSet.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace hashedoctree

@@ -27,24 +27,25 @@ ProcessGroup FindProcesses(
 /** Makes the next update execute again. */
 void ForgetOutputs(vtkInformationVector* outputVector);
 
-/** RunReportingProblems() of body(processes), which they run together. After a problem of one all
- * of them execute again at their next update, unless a filter behind them thinks it needs none,
+/** Calls body(processes), which they run together, and reports its problem. After a problem of one
+ * all of them execute again at their next update, unless a filter behind them thinks it needs none,
  * since one that was aborted does. Returns what the RequestData() must return. */
 template <typename Body>
 int RunTogether(vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request,
   vtkInformationVector* outputVector, const Body& body)
 {
   const ProcessGroup processes = FindProcesses(algorithm, request, outputVector);
-  bool isDone = false;
-  RunReportingProblems(algorithm, outputVector,
-    [&]
-    {
-      processes.Together([&] { body(processes); });
-      isDone = true;
-    });
-  if (!isDone && processes.AreSeveral())
+  try
   {
-    ForgetOutputs(outputVector);
+    processes.Together([&] { body(processes); });
+  }
+  catch (...)
+  {
+    ReportProblem(algorithm, outputVector);
+    if (processes.AreSeveral())
+    {
+      ForgetOutputs(outputVector);
+    }
   }
   return 1;
 }

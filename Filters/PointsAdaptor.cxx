@@ -25,6 +25,11 @@ PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
   auto* pointSet = vtkPointSet::SafeDownCast(dataSet);
   if (pointSet == nullptr || pointSet->GetPoints() == nullptr)
   {
+    if (this->Count > 0)
+    {
+      double x[3];
+      dataSet->GetPoint(0, x); // From then on any thread may, says vtkDataSet.
+    }
     this->CopyPoints([dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, execution);
     return;
   }

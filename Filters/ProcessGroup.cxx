@@ -139,7 +139,7 @@ std::size_t ProcessGroup::GetSendable(const Counts& counts)
   if (sum > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {
     throw std::length_error("A process would get more than MPI can send at a time; have more "
-                            "processes, or allow fewer points per leaf.");
+                            "processes.");
   }
   return sum;
 }

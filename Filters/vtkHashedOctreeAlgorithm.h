@@ -181,8 +181,6 @@ protected:
    * data set: the type of that; negative when it has a single one. */
   virtual int GetTypeOfComposite(vtkInformationVector** inputVector);
 
-  bool IncludeEmptyLeaves = false;
-
 private:
   vtkHashedOctreeAlgorithm(const vtkHashedOctreeAlgorithm&) = delete;
   void operator=(const vtkHashedOctreeAlgorithm&) = delete;
@@ -191,6 +189,7 @@ private:
   int Plane = Widest;
   int MaxPointsPerLeaf = 1;
   bool MergePoints = false;
+  bool IncludeEmptyLeaves = false;
   int MaxDepth = 21;
   int FrequencyModel = Leaves;
   int StartDepthModel = Median;

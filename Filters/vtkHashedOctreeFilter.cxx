@@ -75,7 +75,7 @@ public:
   vtkSmartPointer<vtkDataObject> MakeNodes(
     const PointsOctree<Dim>& octree, int startDepth, const Execution& execution) const
   {
-    const bool showsEmptyLeaves = this->Self->IncludeEmptyLeaves;
+    const bool showsEmptyLeaves = this->Self->GetIncludeEmptyLeaves();
     if (this->Self->OutputType == HyperTreeGrid)
     {
       const auto grid = vtkSmartPointer<vtkHyperTreeGrid>::New();

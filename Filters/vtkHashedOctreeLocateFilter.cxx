@@ -25,7 +25,6 @@
 #include "vtkTable.h"
 
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -281,7 +281,7 @@ private:
 vtkHashedOctreeNeighborsFilter::vtkHashedOctreeNeighborsFilter()
 {
   // Most positions in the box of a scan lie in empty leaves.
-  this->IncludeEmptyLeaves = true;
+  this->SetIncludeEmptyLeaves(true);
 }
 
 int vtkHashedOctreeNeighborsFilter::GetTypeOfOutput(

@@ -25,6 +25,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 #include <variant>
 
 using namespace hashedoctree;
@@ -109,8 +110,7 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
     return;
   }
   const bool wasUpToDate = this->IsUpToDate();
-  property = value;
-  bool isChosen = true;
+  const int before = std::exchange(property, value);
   if (this->Built)
   {
     try
@@ -119,7 +119,9 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
     }
     catch (const std::bad_alloc&)
     {
-      isChosen = false;
+      property = before;
+      vtkErrorMacro("There is not enough memory for local start depths; choose another model.");
+      return;
     }
   }
   // As Modified(), but whom it tells may change the points, or ask the locator.
@@ -129,10 +131,6 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
     this->BuildTime.Modified();
   }
   this->InvokeEvent(vtkCommand::ModifiedEvent);
-  if (!isChosen)
-  {
-    vtkErrorMacro("There is not enough memory for local start depths; choose another model.");
-  }
 }
 
 bool vtkHashedOctreePointLocator::IsUpToDate() const

@@ -167,14 +167,15 @@ public:
 
   ///@{
   /**
-   * Many searches at once, on the threads of vtkSMPTools. Every search finds what the one of the
-   * same name for one position finds. `queries` has three components, of any type; the other
-   * arrays get new memory, and must all be different, from `queries` too. Fires ProgressEvent with
-   * the fraction done of all but a build; AbortBatch(), called by an observer or from another
-   * thread, ends the batches that run, after the search that a thread is at, or after the build
-   * where there is one. Returns whether all was done: if aborted, or after an error (no three
-   * components, not enough memory, a build that failed), all outputs are empty, with one component;
-   * where they are not arrays of their own, all arrays are left alone.
+   * Many searches at once, on the threads of vtkSMPTools. Every search finds the points that
+   * the one of the same name for one position finds, in the order told here. `queries` has three
+   * components, of any type; the other arrays get new memory, and must all be different, from
+   * `queries` too. Fires ProgressEvent with the fraction done of all but a build; AbortBatch(),
+   * called by an observer or from another thread, ends the batches that run, after the search that
+   * a thread is at, or after the build where there is one. Returns whether all was done: if
+   * aborted, or after an error (no three components, not enough memory, a build that failed), all
+   * outputs are empty, with one component; where they are not arrays of their own, all arrays are
+   * left alone.
    * - FindClosestPoints(): one id and squared distance for each position.
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id; one
    *   component without positions.
@@ -248,11 +249,11 @@ public:
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 
   /** The depth at which searches start, by the properties above; of Local the median of all leaves.
-   * 0 where there is no tree. */
+   * Of the last build; 0 where there is no tree. */
   int GetStartDepth() const;
 
-  /** Bytes of the whole search structure, copied coordinates included; 0 before a build, and hardly
-   * any without points. */
+  /** Bytes of the whole search structure of the last build, copied coordinates included; 0 before
+   * one, and hardly any without points. */
   vtkIdType GetIndexBytes() const;
 
 protected:

@@ -90,11 +90,7 @@ void DepthDecisionTree::Place(const CheapestTrees& trees, int first, int last, i
 
 double GetEntropyBound(const DepthHistogram& histogram)
 {
-  double total = 0.0;
-  for (const std::uint64_t weight : histogram)
-  {
-    total += static_cast<double>(weight);
-  }
+  const auto total = static_cast<double>(GetTotal(histogram));
   double entropy = 0.0;
   for (const std::uint64_t weight : histogram)
   {

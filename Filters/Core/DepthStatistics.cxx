@@ -74,11 +74,7 @@ int GetMeanDepth(const DepthHistogram& histogram)
 
 int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options, int dimension)
 {
-  return GetStartDepth(GetDepthHistogram(counts, options.Frequency, dimension), options);
-}
-
-int GetStartDepth(const DepthHistogram& histogram, const StartDepthOptions& options)
-{
+  const DepthHistogram histogram = GetDepthHistogram(counts, options.Frequency, dimension);
   switch (options.Model)
   {
     case StartDepthModel::Mean:

@@ -79,10 +79,8 @@ int GetMedianDepth(const DepthHistogram& histogram);
  * estimate of the median. 0 for a histogram of no weight. */
 int GetMeanDepth(const DepthHistogram& histogram);
 
-/** The one start depth that a model has for a whole tree, given the histogram of the frequency
- * model; of the Local model the median. */
-int GetStartDepth(const DepthHistogram& histogram, const StartDepthOptions& options);
-/** The same for a whole tree, by the options' frequency model. */
+/** The one start depth that a model has for a whole tree, by the options' frequency model; of the
+ * Local model the median. */
 int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options, int dimension);
 
 /** A start depth with the least mean cost, found by trying all; the smallest of equals. */

@@ -3,6 +3,7 @@
 
 #include "NodeIndex.h"
 
+#include <cassert>
 #include <stdexcept>
 
 namespace hashedoctree
@@ -22,6 +23,7 @@ DynamicOctree<Dim>::DynamicOctree(const Grid<Dim>& grid, const Options& options)
   : RootGrid(grid)
   , TreeOptions(options)
 {
+  assert(options.AreInRange());
   constexpr std::size_t depths = Key::MaxDepth + 1;
   this->Counts.Leaves.reserve(depths);
   this->Counts.EmptyLeaves.reserve(depths);

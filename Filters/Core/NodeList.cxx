@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodeList.h"
 
+#include <utility>
 #include <vector>
 
 namespace hashedoctree
@@ -45,9 +46,7 @@ Buffer<typename Octree<Dim>::Node> ListNodes(const Octree<Dim>& tree, NodeListOp
   std::size_t total = rootIsListed ? 1 : 0;
   for (std::size_t& count : counts)
   {
-    const std::size_t here = count;
-    count = total;
-    total += here;
+    total += std::exchange(count, total);
   }
 
   Buffer<Node> nodes(total);

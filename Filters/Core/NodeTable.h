@@ -33,13 +33,8 @@ template <typename Value, typename Hash = MixingHash>
 class NodeTable
 {
 public:
-  /** No key is found in it. */
-  NodeTable()
-    : NodeTable(0)
-  {
-  }
-  /** Room for this many keys. */
-  explicit NodeTable(std::size_t numberOfKeys)
+  /** Room for this many keys. No key is found in it. */
+  explicit NodeTable(std::size_t numberOfKeys = 0)
     : Slots(Hash(numberOfKeys))
     , Buckets(this->Slots.GetNumberOfSlots() / SlotsOfBucket, Memory::Zeroed)
   {

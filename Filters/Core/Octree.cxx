@@ -5,6 +5,8 @@
 #include "OctreeBuilder.h"
 #include "PlaneSpan.h"
 
+#include <cassert>
+
 namespace hashedoctree
 {
 namespace
@@ -48,6 +50,7 @@ template <int Dim>
 void Octree<Dim>::Build(
   Buffer<CodedPoint<Dim>>& points, const Execution& execution, SpareMemory spare)
 {
+  assert(this->BuildOptions.AreInRange());
   SortAlongMortonCurve(points, this->BuildOptions.MaxPointsPerLeaf, this->BuildOptions.MaxDepth,
     execution.Part(0.0, SortingShare), spare);
   OctreeBuilder<Dim>(*this, points).Build(execution.Part(SortingShare, 1.0));

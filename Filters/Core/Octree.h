@@ -60,7 +60,8 @@ class OctreeBuilder;
  * - the point ranges of the children of a node partition its own range, in octant order;
  * - the table holds the key of every block and nothing else.
  *
- * Immutable once built; const members may be called from many threads at once.
+ * Immutable once built; const members may be called from many threads at once. One that was moved
+ * from may only be assigned to, or end.
  */
 template <int Dim>
 class Octree
@@ -73,6 +74,11 @@ public:
   {
     std::size_t MaxPointsPerLeaf = 1; ///< At least 1. More only in leaves at MaxDepth.
     int MaxDepth = Key::MaxDepth;     ///< In [0, MortonKey::MaxDepth].
+
+    bool AreInRange() const
+    {
+      return this->MaxPointsPerLeaf > 0 && this->MaxDepth >= 0 && this->MaxDepth <= Key::MaxDepth;
+    }
   };
 
   /** Which children an internal node has, and where the internal ones stand. Without padding, as

@@ -3,6 +3,7 @@
 #define hashedoctree_Parted_h
 
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace hashedoctree
@@ -17,11 +18,8 @@ struct Parted
   /** Where each part begins among the values. */
   std::vector<std::size_t> GetBegins() const
   {
-    std::vector<std::size_t> begins(this->Counts.size(), 0);
-    for (std::size_t part = 1; part < begins.size(); ++part)
-    {
-      begins[part] = begins[part - 1] + this->Counts[part - 1];
-    }
+    std::vector<std::size_t> begins(this->Counts.size());
+    std::exclusive_scan(this->Counts.begin(), this->Counts.end(), begins.begin(), std::size_t(0));
     return begins;
   }
 };

@@ -6,6 +6,7 @@
 #include "PointSearch.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace hashedoctree
@@ -32,8 +33,9 @@ public:
    * each, position after position. Where there are fewer points, and where a position is not
    * finite, the rest is -1 and infinity.
    */
-  template <typename Real2, typename Id>
-  void FindClosest(PointSpan<Dim, Real2> positions, std::size_t count, Id* ids, double* dist2) const
+  template <typename QueryReal, typename Id>
+  void FindClosest(
+    PointSpan<Dim, QueryReal> positions, std::size_t count, Id* ids, double* dist2) const
   {
     this->ForOrders(positions,
       [&](const BatchOrder<Dim>& order, const Execution& execution)
@@ -99,8 +101,8 @@ public:
   };
 
   /** The points within a radius of each position, those at it included, by distance, then by id. */
-  template <typename Real2>
-  Lists FindWithin(PointSpan<Dim, Real2> positions, double radius) const
+  template <typename QueryReal>
+  Lists FindWithin(PointSpan<Dim, QueryReal> positions, double radius) const
   {
     Lists lists;
     lists.Offsets.assign(positions.Count + 1, 0);
@@ -125,12 +127,7 @@ public:
           });
         lists.Slices.push_back({ std::move(order), std::move(chunks) });
       });
-    std::size_t sum = 0;
-    for (std::size_t& offset : lists.Offsets)
-    {
-      sum += offset;
-      offset = sum;
-    }
+    std::partial_sum(lists.Offsets.begin(), lists.Offsets.end(), lists.Offsets.begin());
     return lists;
   }
 

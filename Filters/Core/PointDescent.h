@@ -82,6 +82,10 @@ public:
     if (size > this->Tree.GetMostInLeaf())
     {
       size = this->PrepareLargeLeaf(first, size);
+      if (size == 0)
+      {
+        return;
+      }
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
     const PointIndex* ids = this->Tree.GetIds() + first;

@@ -17,7 +17,8 @@ using PointIndex = std::uint64_t;
 using PointIndex = std::uint32_t;
 #endif
 
-/** More points than this cannot be numbered: the greatest index stands for none. */
+/** More points than this cannot be numbered: the greatest index stands for none, also where a range
+ * of points ends. */
 constexpr std::size_t MaxNumberOfPoints = std::numeric_limits<PointIndex>::max() - 1;
 
 /** Throws std::length_error, with what to tell the user, for more points than can be numbered. */

@@ -335,29 +335,16 @@ void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Executi
 }
 
 template <int Dim, typename Real>
-std::size_t PointTree<Dim, Real>::FindFirstBlockAt(int depth) const
-{
-  // Blocks are ordered by depth, then by key.
-  std::size_t first = 0;
-  for (std::size_t count = this->Tree.GetNumberOfInternalNodes(); count > 0;)
-  {
-    const std::size_t half = count / 2;
-    const bool isBefore = this->Tree.GetBlockKey(first + half).GetDepth() < depth;
-    first += isBefore ? half + 1 : 0;
-    count = isBefore ? count - half - 1 : half;
-  }
-  return first;
-}
-
-template <int Dim, typename Real>
 void PointTree<Dim, Real>::BuildNested(PointSpan<Dim, Real> points, const Execution& execution)
 {
   if (this->Tree.GetDeepestDepth() < MortonKey<Dim>::MaxDepth)
   {
     return;
   }
-  const std::size_t firstBlock = this->FindFirstBlockAt(MortonKey<Dim>::MaxDepth - 1);
+  // Blocks are ordered by depth, and what the last of them hold are leaves.
   const std::size_t numberOfBlocks = this->Tree.GetNumberOfInternalNodes();
+  const std::size_t firstBlock =
+    numberOfBlocks - this->Tree.GetDepthCounts().Leaves.back() / Octree<Dim>::NumberOfOctants;
   for (std::size_t block = firstBlock; block < numberOfBlocks; ++block)
   {
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)

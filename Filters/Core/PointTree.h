@@ -57,7 +57,7 @@ public:
   {
     return this->Coordinates + Dim * static_cast<std::size_t>(firstPoint);
   }
-  /** Ids of all points, as Octree::GetPointIds(). */
+  /** Ids of all points, leaf after leaf. */
   const PointIndex* GetIds() const { return this->Ids; }
   const ChildBoxes<Dim>& GetChildBoxes(std::size_t block) const { return this->Boxes[block]; }
   /** What measures the distances to coordinates and boxes. */
@@ -109,7 +109,6 @@ private:
     const GetBox& getBox);
   CellBox CopyLeaf(const PointRange& leaf, PointSpan<Dim, Real> points, const Execution& execution);
   CellBox CopyPart(const PointRange& part, const PointRange& leaf, PointSpan<Dim, Real> points);
-  std::size_t FindFirstBlockAt(int depth) const;
   void BuildNested(PointSpan<Dim, Real> points, const Execution& execution);
   void BuildNestedIn(
     typename Octree<Dim>::Node leaf, PointSpan<Dim, Real> points, const Execution& execution);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StartDepths.h"
 
-#include <algorithm>
 #include <cstdlib>
 
 namespace hashedoctree

@@ -163,3 +163,12 @@ TEST(TestContinuousCost, GapInTheMiddle)
   EXPECT_EQ(cost.GetMinimiser(), 2.0);
   EXPECT_NEAR(cost.GetCost(2.0), cost.GetCost(4.5), 1e-12);
 }
+
+TEST(TestContinuousCost, WeightsOfManyDigits)
+{
+  // One more above depth 1 than it has: to the last of 60 bits, all but one of them lie from there
+  // on.
+  const std::uint64_t large = (std::uint64_t(1) << 60) + 128;
+  const ContinuousCost cost(DepthHistogram{ large, 1, large + 1 });
+  EXPECT_EQ(cost.GetMinimiser(), 2.0);
+}

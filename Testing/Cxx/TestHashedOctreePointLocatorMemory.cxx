@@ -156,18 +156,24 @@ TEST_F(TestHashedOctreePointLocatorMemory, AListThatCouldNotGrowIsOfUseAgain)
   EXPECT_EQ(list->GetNumberOfIds(), 5);
 }
 
-TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsSearchesFindTheSame)
+TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsTheModelStays)
 {
   TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 263)));
   locator->SetMaxPointsPerLeaf(1);
+  locator->SetStartDepthModel(vtkHashedOctreePointLocator::Root);
   const double x[3] = { 0.5, 0.5, 0.5 };
-  const vtkIdType closest = locator->FindClosestPoint(x);
+  const vtkIdType costOfRoot = locator->GetHitCost(x);
+  const vtkMTimeType before = locator->GetMTime();
   {
     const NoMemory noMemory;
     locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
   }
   ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for local start depths"));
-  EXPECT_EQ(locator->FindClosestPoint(x), closest);
+  EXPECT_EQ(locator->GetStartDepthModel(), vtkHashedOctreePointLocator::Root);
+  EXPECT_EQ(locator->GetHitCost(x), costOfRoot);
+  EXPECT_EQ(locator->GetMTime(), before);
+  locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
+  EXPECT_LT(locator->GetHitCost(x), costOfRoot);
 }
 
 TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
