@@ -7,7 +7,7 @@
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            --help tells its own arguments
 #   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, its claims and figures,
-#                                            in build/bench/paper.md; from 23 minutes on, --quick one
+#                                            in build/bench/paper.md; 25 minutes, --quick one
 #   Testing/bench.sh --vtk build|locator [arguments]   the same beside Debian's own VTK (libvtk9-dev), which
 #                                            is compiled with optimisation, while that in Debian's ParaView
 #                                            is not; on a machine without ParaView, in build/vtk

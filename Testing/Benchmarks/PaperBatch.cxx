@@ -47,7 +47,8 @@ void WriteBatch(std::ostream& out, const std::vector<PaperResults>& sets)
 {
   out << "\n### Direct search for many positions at once\n\nFor every point from its coordinates "
          "on, ours from the median, one after the other; and at once, which has the memory where "
-         "searches begin loaded ahead, 16 searches at a time. In us for each.\n\n";
+         "searches begin loaded ahead, 16 searches at a time. In us for each, timed in turns of "
+         "their own.\n\n";
   WriteHead(out, { "set", "nodes x1000", "one at a time", "at once", "one at a time / at once" });
   for (const PaperResults& set : sets)
   {

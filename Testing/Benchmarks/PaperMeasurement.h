@@ -6,7 +6,7 @@
 
 namespace paper_benchmark
 {
-/** Leaves around which neighbours are searched for: a sample of all, each equally likely. */
+/** Leaves around which neighbours are searched for: those of points drawn from all. */
 constexpr std::size_t NumberOfNeighborSearches = 10000;
 /** Leaves that are searched for in the leaves' row of Table 3, at most: every k-th of all. */
 constexpr std::size_t MaxLeafSearches = std::size_t(1) << 21;

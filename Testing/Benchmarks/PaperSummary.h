@@ -42,6 +42,11 @@ inline std::string FormatSummary(const Summary& summary)
   return Format(summary.Lowest) + " to " + Format(summary.Highest) + ", mean " +
     Format(summary.Mean);
 }
+inline std::string FormatSummary(const Summary& summary, int decimals)
+{
+  return Format(summary.Lowest, decimals) + " to " + Format(summary.Highest, decimals) + ", mean " +
+    Format(summary.Mean, decimals);
+}
 
 /** What direct searches cost from the root over what they cost from the start depth: in nodes, for
  * every leaf; and in time, for every point. */

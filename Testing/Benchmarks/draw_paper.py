@@ -79,7 +79,7 @@ def draw_figure_5(query):
     return draw_searches(5, query, plane_scene), "Searches for neighbours, in a plane", (
         "Outputs of vtkHashedOctreeNeighborsFilter, coloured by the array Case, and of vtkHashedOctreeFilter (grey "
         f"lines), empty leaves included: the {describe_octree(query.point_set)}. A plane through the query leaf cuts "
-        "the leaves and the ball (circle); dots are points near the plane.")
+        "the leaves and the ball (circle); dots are the points of the leaves that it cuts.")
 
 
 def draw_figure_6(query):
@@ -111,7 +111,7 @@ def draw_figure_8(scan):
         f"The {describe_octree(scan)}: output Cost Curves of vtkHashedOctreeFilter, columns CostLeaves and "
         "ContinuousLeaves, and between the latter's values what the density of Figure 7 integrates to. The discrete "
         f"minimiser is {discrete}, the continuous one {continuous:.2f}: its integer part is {int(continuous)}, rounded "
-        f"it would be {round(continuous)} (E9). The continuous cost at l + 1/2 is the discrete cost at l and 3/16 of "
+        f"it would be {round(continuous)} (E9). The continuous cost at l + 1/2 is the discrete cost at l plus 3/16 of "
         "the share of depth l, so it does not interpolate (E8).")
 
 

@@ -58,11 +58,11 @@ def draw_density(axes, point_set, colors):
     shares = point_set.depth_shares()
     x, density = get_density(shares)
     depths = np.arange(len(shares))
-    axes.bar(depths + 0.5, shares, width=1, color=[colors.get(depth, GREY) for depth in depths], edgecolor="white",
-             label="share $p_l$ of the leaves")
-    axes.plot(x, density, color=DARK, label="density $p(l)$", linewidth=1.2)
+    axes.bar(depths + 0.5, shares, width=1, color=[colors.get(depth, GREY) for depth in depths], edgecolor="white")
+    density_line, = axes.plot(x, density, color=DARK, label="density $p(l)$, share per depth", linewidth=1.2)
     axes.set_ylim(0, 1.3 * density.max())
-    axes.legend(loc="upper left")
+    share = Patch(facecolor=colors.get(shares.argmax(), GREY), label="share $p_l$ of the leaves")
+    axes.legend(handles=[share, density_line], loc="upper left")
     finish_chart(axes, f"Density of depths, {point_set.name}", "depth $l$ (0 = root)", "share of the leaves")
     axes.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
 

@@ -48,6 +48,16 @@ class PointSet:
         """The paper's p_l, of all leaves."""
         return self.histogram["Leaves"] / self.histogram["Leaves"].sum()
 
+    def points_of_leaves_at(self, height):
+        """Those whose leaves a plane across z cuts."""
+        located = servermanager.Fetch(simple.HashedOctreeLocate(Input=self.source, QueryPoints=self.source,
+                                                                IncludeEmptyLeaves=0))
+        leaves = servermanager.Fetch(self.octree)
+        corners = vtk_to_numpy(leaves.GetCells().GetConnectivityArray()).reshape(-1, 8)[:, [0, 7]]
+        low, high = vtk_to_numpy(leaves.GetPoints().GetData())[corners, 2].T
+        leaf = vtk_to_numpy(located.GetPointData().GetArray("LeafId"))
+        return self.points[(low[leaf] < height) & (height < high[leaf])]
+
 
 def to_source(points):
     data, coordinates = vtkPolyData(), vtkPoints()
@@ -140,17 +150,17 @@ def moved(source, by):
     return copy
 
 
-def show_plain(source, view, representation):
-    """Shows a source in one dark colour."""
+def show_plain(source, view, representation, color=DARK):
+    """Shows a source in one colour."""
     shown = simple.Show(source, view)
     shown.SetRepresentationType(representation)
-    shown.AmbientColor = shown.DiffuseColor = list(to_rgb(DARK))
+    shown.AmbientColor = shown.DiffuseColor = list(to_rgb(color))
     shown.Ambient, shown.Diffuse = 1, 0
     return shown
 
 
 def plane_scene(query, search):
-    """What the plane through the query leaf cuts: all leaves, those found by case, the ball; and the points near it."""
+    """What the plane through the query leaf cuts: all leaves with their points, those found by case, the ball."""
     view, width, middle = demo.white_view(SIDE, SIDE), 3.3 * query.radius, [*query.center[:2], query.plane]
     every = simple.HashedOctree(Input=query.point_set.source, IncludeEmptyLeaves=1)
     # The found ones lie a little nearer to the eye, the circle and the points nearer still.
@@ -165,10 +175,11 @@ def plane_scene(query, search):
         radius = np.sqrt(query.radius ** 2 - (query.plane - query.center[2]) ** 2)
         circle = simple.Disk(InnerRadius=0.99 * radius, OuterRadius=radius, CircumferentialResolution=180)
         show_plain(moved(circle, (*query.center[:2], query.plane + 0.02 * width)), view, "Surface")
-    near = query.point_set.points[np.abs(query.point_set.points[:, 2] - query.plane) < query.side / 2]
-    near = np.column_stack((near[:, :2], np.full(len(near), query.plane + 0.03 * width)))
-    show_plain(simple.Glyph(Input=to_source(near), GlyphType="Sphere", GlyphMode="All Points", ScaleFactor=width / 70,
-                            ScaleArray=["POINTS", "No scale array"]), view, "Surface")
+    dots = query.point_set.points_of_leaves_at(query.plane)[:, :2]
+    for color, size, height in (("white", width / 50, 0.02 * width), (DARK, width / 70, 0.03 * width)):
+        raised = np.column_stack((dots, np.full(len(dots), query.plane + height)))
+        show_plain(simple.Glyph(Input=to_source(raised), GlyphType="Sphere", GlyphMode="All Points", ScaleFactor=size,
+                                ScaleArray=["POINTS", "No scale array"]), view, "Surface", color)
     view.CameraParallelProjection, view.CameraParallelScale = 1, width / 2
     view.CameraFocalPoint, view.CameraViewUp = middle, [0, 1, 0]
     view.CameraPosition = [*query.center[:2], query.plane + 10 * width]

@@ -50,6 +50,12 @@ protected:
         tree.GetPointIds() + node->FirstPoint, tree.GetPointIds() + node->LastPoint);
       std::sort(found.begin(), found.end());
       ASSERT_EQ(found, expected.Ids);
+      for (const std::uint32_t id : found)
+      {
+        // The same node by the position and depth of each of its points (paper section 2).
+        const Real* x = sample.GetSpan()[id];
+        ASSERT_EQ(tree.FindNode(tree.GetGrid().GetKey(x).AtDepth(name.Depth))->NodeKey, key);
+      }
       ASSERT_EQ(tree.FindNode(key, EmptyOctants::Missing).has_value(), !expected.Ids.empty());
       occupiedNodes += expected.Ids.empty() ? 0 : 1;
       deepest = std::max(deepest, name.Depth);

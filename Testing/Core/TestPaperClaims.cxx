@@ -24,8 +24,8 @@ Sets MakeSets()
     PaperResults& set = sets.back();
     set.DepthDeviation = 1.0 + i;
     set.Costs.Root = 20.0 - i;
-    set.Times[Direct][PaperRoot] = InventTime((20.0 - i) * 1e-6);
-    set.Times[Direct][OursRoot] = InventTime((10.0 - i) * 1e-6);
+    set.Times[Direct][PaperRoot] = InventTime((60.0 - i) * 1e-6);
+    set.Times[Direct][OursRoot] = InventTime((50.0 - i) * 1e-6);
   }
   return sets;
 }
@@ -118,7 +118,18 @@ TEST(TestPaperClaims, OfNeighborsAndBuilds)
     [](PaperResults& set) { set.Times[InRadius][OursRoot] = InventTime(0.5e-6); }, OneOfFive);
   ExpectJudged(
     "From the root, direct searches in hashed", 0,
-    [](PaperResults& set) { set.Times[Direct][PaperRoot] = InventTime(2e-6); }, OneOfFive);
+    [](PaperResults& set) { set.Times[Direct][PaperRoot] = InventTime(20e-6); }, OneOfFive);
+  ExpectJudged(
+    "From the root, direct searches in hashed", 1,
+    [](PaperResults& set) { set.Times[Direct][OursRoot] = InventTime(20e-6); }, OneOfFive);
+  ExpectJudged(
+    "From the root, direct searches in hashed", 0,
+    [](PaperResults& set)
+    {
+      set.Times[Direct][BrotherChild] = InventTime(1e-6);
+      set.Times[Direct][PaperRoot] = InventTime(3e-6);
+    },
+    OneOfFive);
   ExpectJudged(
     "From the start depth leaves above", 1,
     [](PaperResults& set) { set.Neighbors.Adjacent.Climbing = 21.0; }, OneOfFive);

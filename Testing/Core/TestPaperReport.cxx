@@ -106,6 +106,20 @@ TEST(TestPaperReport, NodesAndProbes)
   EXPECT_EQ(probes[2][1], "mixing");
 }
 
+TEST(TestPaperReport, ModelsAndBatches)
+{
+  const MarkdownTables report = MakeReport();
+  EXPECT_EQ(report.Get("Start-depth models")[1],
+    (MarkdownTables::Row{ "first", "1.00", "10.0", "2.00", "2.50", "1.80", "1.60", "1.50" }));
+  EXPECT_EQ(report.Get("Frequency models in nodes")[2],
+    (MarkdownTables::Row{
+      "first", "leaves", "10.0", "4.00 (from 6)", "2.00 (from 7)", "4.00 (from 8)", "8.00" }));
+  EXPECT_EQ(report.Get("Gain by deviation of depth")[1],
+    (MarkdownTables::Row{ "first", "1.00", "9.00", "5.00", "4.00", "6.00" }));
+  EXPECT_EQ(report.Get("Direct search for many positions at once")[1],
+    (MarkdownTables::Row{ "first", "8000", "3.00 ~10%", "2.00 ~10%", "x 1.50" }));
+}
+
 TEST(TestPaperReport, Table3HasTheLargestSpread)
 {
   const MarkdownTables report = MakeReport();
