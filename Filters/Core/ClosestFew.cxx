@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosestFew.h"
 
-#include "DistanceKernels.h"
 #include "Lanes.h"
+#include "PointKernels.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@
 
 namespace hashedoctree
 {
-static_assert(DistanceKernels<3, float>::MostPoints <= RankedPoints::MostAdded,
+static_assert(PointKernels<3, float>::MostPoints <= RankedPoints::MostAdded,
   "the points that are measured at a time are added at a time");
 
 bool ClosestFew::HasVectors()

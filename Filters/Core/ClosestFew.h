@@ -26,7 +26,7 @@ public:
   static constexpr std::size_t MostWanted = RankedPoints::MostKept;
   static constexpr std::size_t MostInRegisters = 8;
 
-  /** DistanceKernels::Select. */
+  /** PointKernels::Select. */
   using SelectPoints = std::uint64_t (*)(const double* dist2, std::size_t count, double limit);
 
   /** `wanted` in [1, MostWanted]. Vectors must only be asked for where HasVectors(). */
@@ -40,7 +40,7 @@ public:
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
 
   /** `ids` must stay as they are until CopyTo(); `dist2` and `within` are what
-   * DistanceKernels::ToPointsWithin() gives, of at most RankedPoints::MostAdded. */
+   * PointKernels::ToPointsWithin() gives, of at most RankedPoints::MostAdded. */
   void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t count);
   void CopyTo(std::vector<FoundPoint>& found) const;
 

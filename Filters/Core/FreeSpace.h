@@ -4,7 +4,7 @@
 
 #include "BallInGrid.h"
 #include "Buffer.h"
-#include "DistanceKernels.h"
+#include "ChildBoxes.h"
 #include "Octree.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #define hashedoctree_PlaceInBlock_h
 
 #include "BallInGrid.h"
-#include "DistanceKernels.h"
+#include "BoxKernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace hashedoctree
  * are from it. Lengths are in steps of these boxes, 256 to the side of the block's cell. Distances
  * err on the near side. Private to PointDescent.h.
  */
-template <int Dim, typename Real>
+template <int Dim>
 class PlaceInBlock
 {
 public:
@@ -75,19 +75,19 @@ public:
   /** How much further than a reach a measured distance may be, as a factor, if the true one is
    * within. */
   template <typename T>
-  static constexpr double Room = 1.0 + 3.0 * DistanceKernels<Dim, Real>::template BoxError<T>;
+  static constexpr double Room = 1.0 + 3.0 * BoxKernels<Dim>::template BoxError<T>;
 
   ///@{
   /** Squared distances to the boxes of all children; returns the mask of those within the squared
    * reach. In float only from near. */
-  unsigned Measure(const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes,
-    double reach2, float* dist2) const
+  unsigned Measure(
+    const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, double reach2, float* dist2) const
   {
     return kernels.ToBoxes(
       boxes, this->Steps.data(), static_cast<float>(reach2 * Room<float>), dist2);
   }
-  unsigned Measure(const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes,
-    double reach2, double* dist2) const
+  unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, double reach2,
+    double* dist2) const
   {
     return kernels.ToBoxesFromAfar(boxes, this->Steps.data(), reach2 * Room<double>, dist2);
   }
@@ -96,7 +96,7 @@ public:
   /** A squared distance in world units within which one of some children surely has its points.
    * Only from near. */
   double GetPromise2(
-    const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes, unsigned octants) const
+    const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, unsigned octants) const
   {
     if (!this->IsExact())
     {
@@ -110,7 +110,7 @@ public:
    * only from near. */
   template <typename T>
   unsigned GetWhole(
-    const DistanceKernels<Dim, Real>& kernels, const ChildBoxes<Dim>& boxes, double reach2) const
+    const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, double reach2) const
   {
     constexpr double shrink = 1.0 / Room<T>;
     const auto limit = static_cast<T>(reach2 * shrink);
@@ -129,7 +129,7 @@ private:
 
   static constexpr double NumberOfSteps = ChildBoxes<Dim>::Steps;
   static constexpr double Far = 64.0 * NumberOfSteps;
-  static_assert(Far + 2.0 * NumberOfSteps <= DistanceKernels<Dim, Real>::FarthestPlace,
+  static_assert(Far + 2.0 * NumberOfSteps <= BoxKernels<Dim>::FarthestPlace,
     "the kernels must take the places of children that are near");
 
   Position<Dim> Steps; ///< From the lower corner of the block's cell.

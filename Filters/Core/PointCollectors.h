@@ -33,7 +33,7 @@ public:
   static constexpr bool TakesWithin = false;
   static constexpr bool TakesPromises = true;
 
-  /** `select` is DistanceKernels::Select. */
+  /** `select` is PointKernels::Select. */
   ClosestOne(double radius2, std::uint64_t (*select)(const double*, std::size_t, double))
     : Dist2(radius2)
     , Select(select)
@@ -171,7 +171,7 @@ public:
   static constexpr bool TakesWithin = true;
   static constexpr bool TakesPromises = false;
 
-  /** `copy` is DistanceKernels::CopySelected. */
+  /** `copy` is PointKernels::CopySelected. */
   AllWithin(double radius2, std::vector<PointIndex>& found,
     std::size_t (*copy)(const PointIndex*, std::size_t, std::uint64_t, PointIndex*))
     : Radius2(radius2)

@@ -95,8 +95,8 @@ public:
       __builtin_prefetch(ids);
       __builtin_prefetch(ids + size - 1);
     }
-    using Kernels = DistanceKernels<Dim, Real>;
-    const Kernels& kernels = this->Tree.GetKernels();
+    using Kernels = PointKernels<Dim, Real>;
+    const Kernels& kernels = this->Tree.GetPointKernels();
     double dist2[Kernels::MostPoints];
     for (std::size_t done = 0; done < size; done += Kernels::MostPoints)
     {
@@ -130,7 +130,7 @@ public:
 
 private:
   using Key = MortonKey<Dim>;
-  using Place = PlaceInBlock<Dim, Real>;
+  using Place = PlaceInBlock<Dim>;
   static constexpr unsigned NumberOfOctants = Octree<Dim>::NumberOfOctants;
   static constexpr PointIndex NoPoint = ~PointIndex(0);
   static constexpr std::uint32_t NoBlock = ~std::uint32_t(0);
@@ -164,8 +164,8 @@ private:
   /** Whether the first point of a leaf with `size` points is within the ball. */
   bool IsWithin(PointIndex firstPoint, std::size_t size) const
   {
-    double dist2[DistanceKernels<Dim, Real>::MostPoints];
-    return this->Tree.GetKernels().ToPoints(this->Tree.GetLeafCoordinates(firstPoint), size, 1,
+    double dist2[PointKernels<Dim, Real>::MostPoints];
+    return this->Tree.GetPointKernels().ToPoints(this->Tree.GetLeafCoordinates(firstPoint), size, 1,
              this->X.data(), dist2) <= this->Points.GetBound2();
   }
 
@@ -182,7 +182,7 @@ private:
   unsigned Measure(std::uint32_t block, const Place& place, T* dist2) const
   {
     return place.Measure(
-      this->Tree.GetKernels(), this->Tree.GetChildBoxes(block), this->GetReach2(place), dist2);
+      this->Tree.GetBoxKernels(), this->Tree.GetChildBoxes(block), this->GetReach2(place), dist2);
   }
 
   /** Searches the children of a block, with distances in float, or from far away in double. */
@@ -212,7 +212,7 @@ private:
       if (!this->Points.HasFound())
       {
         this->Points.Promise(
-          place.GetPromise2(this->Tree.GetKernels(), this->Tree.GetChildBoxes(number), left));
+          place.GetPromise2(this->Tree.GetBoxKernels(), this->Tree.GetChildBoxes(number), left));
       }
     }
     while (left != 0)
@@ -280,7 +280,8 @@ private:
     }
     const Block& block = this->Tree.GetOctree().GetBlock(number);
     const unsigned whole = octants &
-      place.template GetWhole<T>(this->Tree.GetKernels(), this->Tree.GetChildBoxes(number), reach2);
+      place.template GetWhole<T>(
+        this->Tree.GetBoxKernels(), this->Tree.GetChildBoxes(number), reach2);
     for (unsigned rest = whole; rest != 0; rest &= rest - 1)
     {
       const auto octant = static_cast<unsigned>(__builtin_ctz(rest));

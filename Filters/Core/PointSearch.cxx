@@ -25,7 +25,7 @@ bool FindClosestOne(const PointTree<Dim, Real>& tree, const Position<Dim>& x, do
   {
     return false;
   }
-  ClosestOne closest(radius2, tree.GetKernels().Select);
+  ClosestOne closest(radius2, tree.GetPointKernels().Select);
   SearchPoints<Dim, Real>(tree, x, closest, nodes, 1);
   if (closest.HasFound())
   {
@@ -45,7 +45,7 @@ void FindClosestPoints(const PointTree<Dim, Real>& tree, const Position<Dim>& x,
   }
   if (count <= ClosestFew::MostWanted)
   {
-    ClosestFew closest(count, tree.GetKernels().Select);
+    ClosestFew closest(count, tree.GetPointKernels().Select);
     SearchPoints<Dim, Real>(tree, x, closest, nodes, count);
     closest.CopyTo(found);
   }
@@ -74,7 +74,7 @@ void FindAllWithin(const PointTree<Dim, Real>& tree, const Position<Dim>& x, dou
 {
   found.clear();
   FindAllWithin<AllWithin, Dim, Real>(
-    tree, x, radius, { radius * radius, found, tree.GetKernels().CopySelected }, nodes);
+    tree, x, radius, { radius * radius, found, tree.GetPointKernels().CopySelected }, nodes);
 }
 
 template <int Dim, typename Real, typename Count>

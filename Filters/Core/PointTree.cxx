@@ -60,7 +60,7 @@ template <int Dim, typename Real>
 template <int Dim, typename Real>
 Buffer<Real> MakeCoordinates(std::size_t numberOfPoints)
 {
-  constexpr std::size_t padding = DistanceKernels<Dim, Real>::Padding;
+  constexpr std::size_t padding = PointKernels<Dim, Real>::Padding;
   Buffer<Real> coordinates(Dim * numberOfPoints + padding);
   std::fill_n(&coordinates[Dim * numberOfPoints], padding, Real(0));
   return coordinates;

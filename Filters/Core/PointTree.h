@@ -2,9 +2,10 @@
 #ifndef hashedoctree_PointTree_h
 #define hashedoctree_PointTree_h
 
-#include "DistanceKernels.h"
+#include "BoxKernels.h"
 #include "FreeSpace.h"
 #include "Octree.h"
+#include "PointKernels.h"
 #include "StartDepths.h"
 
 #include <vector>
@@ -60,8 +61,10 @@ public:
   /** Ids of all points, leaf after leaf. */
   const PointIndex* GetIds() const { return this->Ids; }
   const ChildBoxes<Dim>& GetChildBoxes(std::size_t block) const { return this->Boxes[block]; }
-  /** What measures the distances to coordinates and boxes. */
-  const DistanceKernels<Dim, Real>& GetKernels() const { return *this->Kernels; }
+  /** What measures the distances to coordinates. */
+  const PointKernels<Dim, Real>& GetPointKernels() const { return *this->KernelsOfPoints; }
+  /** What measures the distances to boxes. */
+  const BoxKernels<Dim>& GetBoxKernels() const { return *this->KernelsOfBoxes; }
 
   /** Whether nothing in a block parts its points: it has one child that holds points, and that is
    * internal. */
@@ -126,7 +129,8 @@ private:
   FreeSpace<Dim> Free;
   FlatAxes<Dim> Flat;
   std::vector<Nested> NestedTrees; ///< By FirstPoint.
-  const DistanceKernels<Dim, Real>* Kernels = &GetDistanceKernels<Dim, Real>();
+  const PointKernels<Dim, Real>* KernelsOfPoints = &hashedoctree::GetPointKernels<Dim, Real>();
+  const BoxKernels<Dim>* KernelsOfBoxes = &hashedoctree::GetBoxKernels<Dim>();
 };
 
 /** A tree in a leaf. */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClosestFew.h"
 
-#include "DistanceKernels.h"
+#include "PointKernels.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using namespace hashedoctree;
 
 namespace
 {
-constexpr std::size_t MostAtOnce = DistanceKernels<3, float>::MostPoints;
+constexpr std::size_t MostAtOnce = PointKernels<3, float>::MostPoints;
 
 /** Points of one leaf, with infinity behind the distances until their number is a multiple of 4. */
 struct Leaf
@@ -49,7 +49,7 @@ std::vector<Leaf> MakeLeaves(std::mt19937& random, std::size_t numberOfLeaves, u
 std::vector<FoundPoint> FindClosest(
   const std::vector<Leaf>& leaves, std::size_t wanted, bool useVectors)
 {
-  const auto select = GetDistanceKernels<3, float>().Select;
+  const auto select = GetPointKernels<3, float>().Select;
   ClosestFew closest(wanted, select, useVectors);
   for (const Leaf& leaf : leaves)
   {

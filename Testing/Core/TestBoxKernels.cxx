@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DistanceKernels.h"
+#include "BoxKernels.h"
 
 #include "Dimensions.h"
 #include "Lanes.h"
-#include "PointSamples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
 
 using namespace hashedoctree;
 
 template <typename Dimension>
-class TestDistanceKernels : public ::testing::Test
+class TestBoxKernels : public ::testing::Test
 {
 protected:
   static constexpr int Dim = Dimension::value;
@@ -31,11 +37,11 @@ protected:
   }
 
   /** Calls function(kernels) for the fastest ones and for those of every machine. */
-  template <typename Real, typename Function>
+  template <typename Function>
   static void ForAllKernels(const Function& function)
   {
-    const DistanceKernels<Dim, Real>& plain = GetPlainDistanceKernels<Dim, Real>();
-    for (const auto* kernels : { &GetDistanceKernels<Dim, Real>(), &plain })
+    const BoxKernels<Dim>& plain = GetPlainBoxKernels<Dim>();
+    for (const auto* kernels : { &GetBoxKernels<Dim>(), &plain })
     {
       SCOPED_TRACE(kernels == &plain ? "plain" : "fastest");
       function(*kernels);
@@ -46,7 +52,7 @@ protected:
    * anywhere. */
   static void ForReaches(void (*withFloat)(double), void (*withDouble)(double))
   {
-    constexpr double farthest = DistanceKernels<Dim, float>::FarthestPlace - 128.0;
+    constexpr double farthest = BoxKernels<Dim>::FarthestPlace - 128.0;
     for (const double reach : { 1.0, 300.0, 1e4, farthest })
     {
       SCOPED_TRACE(reach);
@@ -59,24 +65,24 @@ protected:
     }
   }
 
-  static unsigned Measure(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
+  static unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes,
     const double* steps, float limit, float* dist2)
   {
     return kernels.ToBoxes(boxes, steps, limit, dist2);
   }
-  static unsigned Measure(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
+  static unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes,
     const double* steps, double limit, double* dist2)
   {
     return kernels.ToBoxesFromAfar(boxes, steps, limit, dist2);
   }
 
-  static unsigned GetWhole(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
-    const double* steps, float limit)
+  static unsigned GetWhole(
+    const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, const double* steps, float limit)
   {
     return kernels.ToWholeBoxes(boxes, steps, limit);
   }
-  static unsigned GetWhole(const DistanceKernels<Dim, float>& kernels, const ChildBoxes<Dim>& boxes,
-    const double* steps, double limit)
+  static unsigned GetWhole(
+    const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, const double* steps, double limit)
   {
     return kernels.ToWholeBoxesFromAfar(boxes, steps, limit);
   }
@@ -88,7 +94,7 @@ protected:
   {
     std::mt19937 random(136);
     std::uniform_real_distribution<double> uniform(128.0 - reach, 128.0 + reach);
-    constexpr double error = DistanceKernels<Dim, float>::template BoxError<T>;
+    constexpr double error = BoxKernels<Dim>::template BoxError<T>;
     for (int trial = 0; trial < 200; ++trial)
     {
       const ChildBoxes<Dim> boxes = MakeBoxes(random);
@@ -98,8 +104,8 @@ protected:
       for (const double factor : { 0.9, 1.0, 1.1, double(INFINITY) })
       {
         const auto limit = static_cast<T>(some2 * factor);
-        ForAllKernels<float>(
-          [&](const DistanceKernels<Dim, float>& kernels)
+        ForAllKernels(
+          [&](const BoxKernels<Dim>& kernels)
           {
             const unsigned whole = GetWhole(kernels, boxes, steps, limit);
             for (unsigned octant = 0; octant < Octants; ++octant)
@@ -133,8 +139,8 @@ protected:
         step = 128.0 + reach * uniform(random);
       }
       const T limit = static_cast<T>(reach * reach);
-      ForAllKernels<float>(
-        [&](const DistanceKernels<Dim, float>& kernels)
+      ForAllKernels(
+        [&](const BoxKernels<Dim>& kernels)
         {
           T dist2[Octants];
           const unsigned mask = Measure(kernels, boxes, steps, limit, dist2);
@@ -142,7 +148,7 @@ protected:
           {
             ASSERT_EQ((mask >> octant & 1U) != 0, dist2[octant] <= limit);
             ExpectJustBelow(static_cast<double>(dist2[octant]), GetDist2(boxes, octant, steps),
-              DistanceKernels<Dim, float>::template BoxError<T>);
+              BoxKernels<Dim>::template BoxError<T>);
           }
         });
     }
@@ -189,8 +195,8 @@ protected:
     const ChildBoxes<Dim> boxes = MakeBoxes(random);
     double steps[Dim];
     std::fill(std::begin(steps), std::end(steps), -1e4);
-    ForAllKernels<float>(
-      [&](const DistanceKernels<Dim, float>& kernels)
+    ForAllKernels(
+      [&](const BoxKernels<Dim>& kernels)
       {
         T dist2[Octants];
         constexpr unsigned all = (1U << Octants) - 1U;
@@ -198,135 +204,19 @@ protected:
         EXPECT_EQ(Measure(kernels, boxes, steps, std::numeric_limits<T>::quiet_NaN(), dist2), all);
       });
   }
-
-  template <typename Real>
-  static void ExpectDistances(const DistanceKernels<Dim, Real>& kernels)
-  {
-    using Kernels = DistanceKernels<Dim, Real>;
-    const double x[4] = { 0.3, -1.7, 1e6, 0.1 };
-    for (std::size_t count = 1; count <= Kernels::MostPoints; ++count)
-    {
-      const std::size_t stride = count + count % 3;
-      std::vector<Real> points = MakeUniformPoints<Dim, Real>(stride, 131);
-      // What stands beyond the points must not count: these would be the nearest.
-      points.reserve(points.size() + Kernels::Padding); // No more, for the address sanitizer.
-      points.insert(points.end(), Kernels::Padding, static_cast<Real>(x[Dim - 1]));
-      std::vector<double> dist2(Kernels::MostPoints, -1.0);
-      const double least = kernels.ToPoints(points.data(), stride, count, x, dist2.data());
-      double expectedLeast = Infinity;
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        double expected = 0.0;
-        for (std::size_t axis = 0; axis < Dim; ++axis)
-        {
-          const double difference = static_cast<double>(points[axis * stride + i]) - x[axis];
-          expected += difference * difference;
-        }
-        ASSERT_EQ(dist2[i], expected);
-        expectedLeast = std::min(expectedLeast, expected);
-      }
-      ASSERT_EQ(least, expectedLeast);
-      ExpectInfinityBehind(dist2, count);
-      for (const double limit : { dist2[count / 2], least, 0.0, Infinity })
-      {
-        std::vector<double> again(Kernels::MostPoints, -1.0);
-        const std::uint64_t within =
-          kernels.ToPointsWithin(points.data(), stride, count, x, limit, again.data());
-        ASSERT_EQ(within, kernels.Select(dist2.data(), count, limit));
-        ASSERT_TRUE(std::equal(dist2.begin(), dist2.begin() + count, again.begin()));
-        ExpectInfinityBehind(again, count);
-      }
-    }
-  }
-
-  /** After so many distances, up to a multiple of 4. */
-  static void ExpectInfinityBehind(const std::vector<double>& dist2, std::size_t count)
-  {
-    for (std::size_t i = count; i % 4 != 0; ++i)
-    {
-      ASSERT_EQ(dist2[i], Infinity);
-    }
-  }
-
-  static constexpr double Infinity = std::numeric_limits<double>::infinity();
 };
-TYPED_TEST_SUITE(TestDistanceKernels, Dimensions);
+TYPED_TEST_SUITE(TestBoxKernels, Dimensions);
 
-TYPED_TEST(TestDistanceKernels, PointsToTheLastBit)
-{
-  TestFixture::template ForAllKernels<float>(TestFixture::template ExpectDistances<float>);
-  TestFixture::template ForAllKernels<double>(TestFixture::template ExpectDistances<double>);
-}
-
-TYPED_TEST(TestDistanceKernels, SelectedAreThoseWithinTheLimit)
-{
-  constexpr int dim = TestFixture::Dim;
-  using Kernels = DistanceKernels<dim, float>;
-  const double x[4] = { 0.5, 0.5, 0.5, 0.5 };
-  for (std::size_t count = 1; count <= Kernels::MostPoints; ++count)
-  {
-    std::vector<float> points = MakeUniformPoints<dim, float>(count, 134);
-    points.insert(points.end(), Kernels::Padding, 0.5F);
-    std::vector<double> dist2(Kernels::MostPoints);
-    GetDistanceKernels<dim, float>().ToPoints(points.data(), count, count, x, dist2.data());
-    for (const double limit : { dist2[count / 2], 0.0, TestFixture::Infinity })
-    {
-      TestFixture::template ForAllKernels<float>(
-        [&](const Kernels& kernels)
-        {
-          const std::uint64_t selected = kernels.Select(dist2.data(), count, limit);
-          for (std::size_t i = 0; i < 64; ++i)
-          {
-            ASSERT_EQ((selected >> i & 1U) != 0, i < count && dist2[i] <= limit)
-              << i << " of " << count;
-          }
-        });
-    }
-  }
-}
-
-TYPED_TEST(TestDistanceKernels, SelectedIdsAreCopiedInOrder)
-{
-  using Kernels = DistanceKernels<TestFixture::Dim, float>;
-  std::mt19937_64 random(135);
-  for (std::size_t count = 1; count <= Kernels::MostPoints; ++count)
-  {
-    // No more memory than for these, which the address sanitizer watches.
-    std::vector<PointIndex> ids(count);
-    std::generate(ids.begin(), ids.end(), [&] { return static_cast<PointIndex>(random()); });
-    const std::uint64_t all = ~std::uint64_t(0) >> (64 - count);
-    for (const std::uint64_t selected : { all, random() & all, random() & random() & all,
-           std::uint64_t(1) << (count - 1), std::uint64_t(0) })
-    {
-      std::vector<PointIndex> expected;
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        if ((selected >> i & 1U) != 0)
-        {
-          expected.push_back(ids[i]);
-        }
-      }
-      TestFixture::template ForAllKernels<float>(
-        [&](const Kernels& kernels)
-        {
-          std::vector<PointIndex> copied(Kernels::MostPoints);
-          copied.resize(kernels.CopySelected(ids.data(), count, selected, copied.data()));
-          ASSERT_EQ(copied, expected) << count << " ids";
-        });
-    }
-  }
-}
-
-TYPED_TEST(TestDistanceKernels, BoxesAreNeverFartherThanTheyAre)
+TYPED_TEST(TestBoxKernels, BoxesAreNeverFartherThanTheyAre)
 {
   TestFixture::ForReaches(TestFixture::template ExpectBoxDistances<float>,
     TestFixture::template ExpectBoxDistances<double>);
 }
 
-TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
+TYPED_TEST(TestBoxKernels, FarthestCornersAreNeverNearerThanTheyAre)
 {
   constexpr int dim = TestFixture::Dim;
-  constexpr double farthest = DistanceKernels<dim, float>::FarthestPlace - 128.0;
+  constexpr double farthest = BoxKernels<dim>::FarthestPlace - 128.0;
   std::mt19937 random(134);
   for (const double reach : { 1.0, 300.0, 1e4, farthest })
   {
@@ -344,10 +234,10 @@ TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
         expected =
           counts ? std::min(expected, TestFixture::GetFarthest2(boxes, octant, steps)) : expected;
       }
-      TestFixture::template ForAllKernels<float>(
-        [&](const DistanceKernels<dim, float>& kernels)
+      TestFixture::ForAllKernels(
+        [&](const BoxKernels<dim>& kernels)
         {
-          constexpr double error = DistanceKernels<dim, float>::template BoxError<float>;
+          constexpr double error = BoxKernels<dim>::template BoxError<float>;
           const double dist2 = kernels.ToFarthestCorner(boxes, steps, octants);
           ASSERT_GE(dist2 * (1.0 + error), expected);
           ASSERT_LE(dist2, expected * (1.0 + error) + 0.06 * std::sqrt(expected) + 0.01);
@@ -356,7 +246,7 @@ TYPED_TEST(TestDistanceKernels, FarthestCornersAreNeverNearerThanTheyAre)
   }
 }
 
-TYPED_TEST(TestDistanceKernels, CornersOfTheSmallestBoxesAreNeverNearerThanTheyAre)
+TYPED_TEST(TestBoxKernels, CornersOfTheSmallestBoxesAreNeverNearerThanTheyAre)
 {
   // One step wide, and the place about as far from one face as from the other, where a rounding
   // error is the largest part of the distance.
@@ -374,40 +264,36 @@ TYPED_TEST(TestDistanceKernels, CornersOfTheSmallestBoxesAreNeverNearerThanTheyA
       steps[axis] = trial % 2 == 0 ? anywhere(random) : boxes.Lower[axis][0] + 0.5 + aside(random);
     }
     const double expected = TestFixture::GetFarthest2(boxes, 0, steps);
-    TestFixture::template ForAllKernels<float>(
-      [&](const DistanceKernels<dim, float>& kernels)
+    TestFixture::ForAllKernels(
+      [&](const BoxKernels<dim>& kernels)
       {
-        constexpr double error = DistanceKernels<dim, float>::template BoxError<float>;
+        constexpr double error = BoxKernels<dim>::template BoxError<float>;
         ASSERT_GE(kernels.ToFarthestCorner(boxes, steps, 1U) * (1.0 + error), expected);
       });
   }
 }
 
-TYPED_TEST(TestDistanceKernels, WholeBoxesAreWithinTheLimit)
+TYPED_TEST(TestBoxKernels, WholeBoxesAreWithinTheLimit)
 {
   TestFixture::ForReaches(
     TestFixture::template ExpectWholeBoxes<float>, TestFixture::template ExpectWholeBoxes<double>);
 }
 
-TYPED_TEST(TestDistanceKernels, NothingIsLeftOutWhereTheLimitIsNoNumber)
+TYPED_TEST(TestBoxKernels, NothingIsLeftOutWhereTheLimitIsNoNumber)
 {
   TestFixture::template ExpectAllWhereTheLimitIsNoNumber<float>();
   TestFixture::template ExpectAllWhereTheLimitIsNoNumber<double>();
 }
 
-TYPED_TEST(TestDistanceKernels, EachIsTheFastestThatTheMachineHas)
+TYPED_TEST(TestBoxKernels, EachIsTheFastestThatTheMachineHas)
 {
   constexpr int dim = TestFixture::Dim;
-  const DistanceKernels<dim, float>& plain = GetPlainDistanceKernels<dim, float>();
-  const DistanceKernels<dim, float>& fastest = GetDistanceKernels<dim, float>();
-  EXPECT_EQ(fastest.ToPoints != plain.ToPoints, HasAvx2());
-  EXPECT_EQ(fastest.ToPointsWithin != plain.ToPointsWithin, HasAvx2());
-  EXPECT_EQ(fastest.Select != plain.Select, HasAvx2());
-  EXPECT_EQ(fastest.CopySelected != plain.CopySelected, HasAvx2() && sizeof(PointIndex) == 4);
-  // Boxes: in space only.
-  EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, HasAvx2() && dim == 3);
-  EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, HasAvx2() && dim == 3);
-  EXPECT_EQ(fastest.ToWholeBoxes != plain.ToWholeBoxes, HasAvx2() && dim == 3);
-  EXPECT_EQ(fastest.ToWholeBoxesFromAfar != plain.ToWholeBoxesFromAfar, HasAvx2() && dim == 3);
-  EXPECT_EQ(fastest.ToFarthestCorner != plain.ToFarthestCorner, HasAvx2() && dim == 3);
+  const BoxKernels<dim>& plain = GetPlainBoxKernels<dim>();
+  const BoxKernels<dim>& fastest = GetBoxKernels<dim>();
+  const bool inSpace = HasAvx2() && dim == 3; // Others fill no vectors.
+  EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, inSpace);
+  EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, inSpace);
+  EXPECT_EQ(fastest.ToWholeBoxes != plain.ToWholeBoxes, inSpace);
+  EXPECT_EQ(fastest.ToWholeBoxesFromAfar != plain.ToWholeBoxesFromAfar, inSpace);
+  EXPECT_EQ(fastest.ToFarthestCorner != plain.ToFarthestCorner, inSpace);
 }
