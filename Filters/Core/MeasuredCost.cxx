@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <optional>
 
 namespace hashedoctree
 {
@@ -43,74 +42,94 @@ void PrefetchBelow(const Octree<Dim>& tree, std::size_t block)
 }
 
 /**
- * Counts the nodes that searches for a leaf examine, from all start depths together. A search that
+ * Counts the nodes that searches for leaves examine, from all start depths together. A search that
  * comes to a node goes on like the one that starts there: so each node on the way is looked up
- * once, and those above two leaves only for the first.
+ * once, and those above two leaves only for the first. Where the searches for several leaves in
+ * turn go up and down at the same depths, they are added up together.
  */
 template <int Dim>
 class LeafSearches
 {
 public:
-  using Counts = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
-
   LeafSearches(const Octree<Dim>& tree, int lastStartDepth)
     : Tree(tree)
     , LastStartDepth(lastStartDepth)
   {
   }
 
-  /** The leaf that a key of MaxDepth lies in. How many nodes, at index start depth. */
-  Counts Count(MortonKey<Dim> key)
+  void Add(const typename Octree<Dim>::Node& leaf)
   {
-    this->GoTo(key);
-    const auto deepest = static_cast<std::size_t>(this->LastStartDepth);
-    Counts nodes{};
-    for (std::size_t depth = 0; depth <= deepest; ++depth)
+    const MortonKey<Dim> key = leaf.NodeKey.GetFirstAtMaxDepth();
+    const Way way = this->FindWay(key);
+    if (way.Up != this->Last.Up || way.Down != this->Last.Down)
     {
-      nodes[depth] = this->Cases[depth] == SearchCase::Up ? nodes[depth - 1] + 1 : 1;
+      this->AddUp();
     }
-    for (std::size_t depth = deepest; depth-- > 0;)
-    {
-      nodes[depth] = this->Cases[depth] == SearchCase::Down ? nodes[depth + 1] + 1 : nodes[depth];
-    }
-    return nodes;
+    this->LastKey = key;
+    this->Last = way;
+    ++this->Leaves;
+    this->Points += leaf.GetNumberOfPoints();
+  }
+
+  /** What all searches together examine. */
+  const PartialSums<Dim>& GetSums()
+  {
+    this->AddUp();
+    return this->Sums;
   }
 
 private:
-  void GoTo(MortonKey<Dim> key)
+  /** How searches go on from the nodes at all depths above a key of MaxDepth: bit depth. */
+  struct Way
   {
-    int depth = this->Last ? MortonKey<Dim>::GetCommonDepth(*this->Last, key) + 1 : 0;
+    std::uint32_t Up = 0;
+    std::uint32_t Down = 0;
+  };
+
+  Way FindWay(MortonKey<Dim> key) const
+  {
+    int depth = this->Leaves > 0 ? MortonKey<Dim>::GetCommonDepth(this->LastKey, key) + 1 : 0;
+    const std::uint32_t known = (1U << depth) - 1U;
+    Way way{ this->Last.Up & known, this->Last.Down & known };
     for (; depth <= this->LastStartDepth; ++depth)
     {
-      this->Cases[static_cast<std::size_t>(depth)] = this->Examine(key.AtDepth(depth));
+      const auto node = this->Tree.FindNode(key.AtDepth(depth));
+      way.Up |= (node ? 0U : 1U) << depth;
+      way.Down |= (node && node->Internal ? 1U : 0U) << depth;
     }
-    this->Last = key;
+    return way;
   }
 
-  /** How a search goes on from the node of a key. */
-  SearchCase Examine(MortonKey<Dim> key) const
+  /** Adds the leaves since the last call, whose ways are the last one. */
+  void AddUp()
   {
-    const auto node = this->Tree.FindNode(key);
-    return !node ? SearchCase::Up : node->Internal ? SearchCase::Down : SearchCase::Hit;
+    const auto deepest = static_cast<std::size_t>(this->LastStartDepth);
+    std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1> nodes{};
+    for (std::size_t depth = 0; depth <= deepest; ++depth)
+    {
+      nodes[depth] = (this->Last.Up >> depth & 1U) != 0 ? nodes[depth - 1] + 1 : 1;
+    }
+    for (std::size_t depth = deepest; depth-- > 0;)
+    {
+      nodes[depth] = (this->Last.Down >> depth & 1U) != 0 ? nodes[depth + 1] + 1 : nodes[depth];
+    }
+    for (std::size_t depth = 0; depth <= deepest; ++depth)
+    {
+      this->Sums.Leaves[depth] += nodes[depth] * this->Leaves;
+      this->Sums.Points[depth] += nodes[depth] * this->Points;
+    }
+    this->Leaves = 0;
+    this->Points = 0;
   }
 
   const Octree<Dim>& Tree;
   int LastStartDepth;
-  std::optional<MortonKey<Dim>> Last;
-  std::array<SearchCase, MortonKey<Dim>::MaxDepth + 1> Cases{}; ///< On the way to the last leaf.
+  MortonKey<Dim> LastKey;
+  Way Last;
+  std::uint64_t Leaves = 0; ///< Not yet in the sums; 0 before the first leaf only.
+  std::uint64_t Points = 0; ///< In these leaves.
+  PartialSums<Dim> Sums;
 };
-
-template <int Dim>
-void AddLeaf(
-  LeafSearches<Dim>& searches, const typename Octree<Dim>::Node& leaf, PartialSums<Dim>& sums)
-{
-  const auto nodes = searches.Count(leaf.NodeKey.GetFirstAtMaxDepth());
-  for (std::size_t startDepth = 0; startDepth < nodes.size(); ++startDepth)
-  {
-    sums.Leaves[startDepth] += nodes[startDepth];
-    sums.Points[startDepth] += nodes[startDepth] * leaf.GetNumberOfPoints();
-  }
-}
 
 template <int Dim>
 void AddSums(const PartialSums<Dim>& sums, Total<Dim>& total)
@@ -148,15 +167,13 @@ MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
   Total<Dim> total;
   if (!tree.IsRootInternal() && part.Has(MortonKey<Dim>::Root()))
   {
-    PartialSums<Dim> root;
     LeafSearches<Dim> searches(tree, lastStartDepth);
-    AddLeaf(searches, tree.GetRoot(), root);
-    AddSums(root, total);
+    searches.Add(tree.GetRoot());
+    AddSums(searches.GetSums(), total);
   }
   execution.ForChunks(numberOfBlocks, chunkSize,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      PartialSums<Dim> sums;
       LeafSearches<Dim> searches(tree, lastStartDepth);
       for (std::size_t block = first; block < last; ++block)
       {
@@ -166,11 +183,11 @@ MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
           const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
           if (!child.Internal && part.Has(child.NodeKey))
           {
-            AddLeaf(searches, child, sums);
+            searches.Add(child);
           }
         }
       }
-      AddSums(sums, total);
+      AddSums(searches.GetSums(), total);
     });
 
   const auto numberOfDepths = static_cast<std::size_t>(lastStartDepth) + 1;
