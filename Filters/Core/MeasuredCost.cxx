@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredCost.h"
 
-#include "DirectSearch.h"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -54,6 +52,7 @@ public:
   LeafSearches(const Octree<Dim>& tree, int lastStartDepth)
     : Tree(tree)
     , LastStartDepth(lastStartDepth)
+    , Last{ 0, tree.IsRootInternal() ? 1U : 0U }
   {
   }
 
@@ -82,20 +81,22 @@ private:
   /** How searches go on from the nodes at all depths above a key of MaxDepth: bit depth. */
   struct Way
   {
-    std::uint32_t Up = 0;
-    std::uint32_t Down = 0;
+    std::uint32_t Up;
+    std::uint32_t Down;
   };
 
   Way FindWay(MortonKey<Dim> key) const
   {
-    int depth = this->Leaves > 0 ? MortonKey<Dim>::GetCommonDepth(this->LastKey, key) + 1 : 0;
+    int depth = this->Leaves > 0 ? MortonKey<Dim>::GetCommonDepth(this->LastKey, key) + 1 : 1;
     const std::uint32_t known = (1U << depth) - 1U;
     Way way{ this->Last.Up & known, this->Last.Down & known };
     for (; depth <= this->LastStartDepth; ++depth)
     {
-      const auto node = this->Tree.FindNode(key.AtDepth(depth));
-      way.Up |= (node ? 0U : 1U) << depth;
-      way.Down |= (node && node->Internal ? 1U : 0U) << depth;
+      // A node is seen in its parent, as by FindLeaf().
+      const auto* parent = this->Tree.GetTable().Find(key.AtDepth(depth - 1).GetValue());
+      const std::uint32_t internal = parent != nullptr ? parent->Internal : 0U;
+      way.Up |= (parent == nullptr ? 1U : 0U) << depth;
+      way.Down |= (internal >> key.AtDepth(depth).GetOctant() & 1U) << depth;
     }
     return way;
   }
