@@ -24,13 +24,13 @@
  * or is aborted there, ends it in all, with an error in the others; then, too, call
  * Modified() in all, where other filters follow, which else take it for done.
  *
- * The points of all pieces are in the tree, and equal ones count each, but for points that VTK
- * marks as another piece's (vtkGhostType has DUPLICATEPOINT), which are that one's, on one process
- * as on several; the bounds are around them, too, and where they are left out for another reason,
- * each of them is counted. So, where pieces share a layer of points, mark it, as
- * vtkGenerateGlobalIds does, or merge points. Of composite data sets the blocks at one place are
- * pieces of one, if all processes have the same structure; otherwise, and without such a group,
- * each process makes trees of its own points.
+ * The points of all pieces are in the tree, and equal ones count each. Points that VTK marks as
+ * another piece's (vtkGhostType has DUPLICATEPOINT) are left to that one, on one process as on
+ * several; but the bounds are around them, too, and the counts of points that are left out have
+ * them. So, where pieces share a layer of points, mark it, as vtkGenerateGlobalIds does, or merge
+ * points. Of composite data sets the blocks at one place are pieces of one, if all processes have
+ * the same structure; otherwise, and where pieces are asked for in another way, each process makes
+ * trees of its own points.
  */
 
 #ifndef vtkHashedOctreeAlgorithm_h

@@ -53,14 +53,14 @@
  * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite,
  * or further from 0 than a quarter of the largest double (4.4e307), are left out with one warning.
  * An input without points, or without one that can be used, has no tree: the outputs are empty, of
- * a composite input the block is null. Points that all lie outside CustomBounds are told of by a
- * warning, but of a piece without the others. After an error, which is said once, the outputs are
- * empty, too; to the pipeline the update is done, so that what follows shows that there is nothing.
- * The result, but for BuildSeconds, does not depend on the number of threads (vtkSMPTools).
- * Progress is reported throughout; an abort is heeded within a tenth of a second and leaves all
- * outputs empty (VTK keeps AbortExecute set: reset it before the next update). Points with the same
- * cell at MaxDepth share a leaf, however many they are. At most 2^32
- * - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes.
+ * a composite input the block is null. Where all points lie outside CustomBounds a warning says so,
+ * unless other pieces are missing. After an error, which is said once, the outputs are empty, too;
+ * to the pipeline the update is done, so that what follows shows that there is nothing. The result,
+ * but for BuildSeconds, does not depend on the number of threads (vtkSMPTools). Progress is
+ * reported throughout; an abort is heeded within a tenth of a second and leaves all outputs empty
+ * (VTK keeps AbortExecute set: reset it before the next update). Points with the same cell at
+ * MaxDepth share a leaf, however many they are. At most 2^32 - 2 points, unless built with
+ * HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes (as a hyper tree grid, nodes of all kinds).
  *
  * Several processes that have the pieces of a data set make one tree together, of which each has a
  * part with about as many points as each other. Together their outputs hold each node once, with

@@ -5,10 +5,9 @@
  *
  * Builds the octree (or quadtree) of the points of input port 0, the one that vtkHashedOctreeFilter
  * shows, and searches in it for every query point of input port 1. In a quadtree queries are
- * projected to its plane. The models say how often a leaf will be
- * searched for; this filter says how often it was, and what that cost from each start depth
- * ("Statistical optimization of octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008,
- * section 4).
+ * projected to its plane. The models say how often a leaf will be searched for; this filter says
+ * how often it was, and what that cost by each way to start ("Statistical optimization of octree
+ * searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008, section 4).
  *
  * Input port 0: any vtkPointSet; of composite data sets every block by itself, one tree per block,
  * in each of which all queries are searched for. Input port 1, required: any vtkDataSet; of
@@ -24,10 +23,10 @@
  *
  * Output port 0, of the kind of the queries: the queries as they are, with point arrays, one value
  * per query (arrays of the same names are replaced):
- * - LeafId (vtkIdType): cell of vtkHashedOctreeFilter's port 0 that holds the query, for the same
- *   tree properties and IncludeEmptyLeaves, and without internal nodes; without empty leaves, and
- *   in an octree, also what vtkHashedOctreePointLocator::GetLeafId() gives. -1 where there is no
- *   such cell;
+ * - LeafId (vtkIdType): cell of vtkHashedOctreeFilter's port 0, as voxels or outlines, that holds
+ *   the query, for the same tree properties and IncludeEmptyLeaves, and without internal nodes;
+ *   without empty leaves, and in an octree, also what vtkHashedOctreePointLocator::GetLeafId()
+ *   gives. -1 where there is no such cell;
  * - LeafDepth (int): depth of the leaf, or of the empty cell without a LeafId;
  * - LeafKey (unsigned 64-bit): its Morton key;
  * - HitCost (int, active scalars): nodes that the search from the chosen start depth examines;

@@ -4,7 +4,7 @@
  * @brief   finds points close to positions: exact, deterministic, in an octree kept in a hash table
  *
  * Answers queries wherever a vtkAbstractPointLocator is asked for, such as vtkStaticPointLocator;
- * it inserts no points, as vtkIncrementalPointLocator does. The points are put into an octree whose
+ * it inserts no points, unlike vtkIncrementalPointLocator. The points are put into an octree whose
  * nodes are reached directly by position and depth, so that a search need not begin at the root: it
  * begins at a start depth estimated from the depths of the leaves ("Statistical optimization of
  * octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008). The start depth changes what
@@ -217,8 +217,8 @@ public:
   ///@{
   /**
    * How many nodes the query of that name examines: looks into the hash table, and into the
-   * children of a node. The query is made and counted; those that find points do not count, and
-   * are no slower for it. 0 where there is nothing to search for. Thread safe after a build.
+   * children of a node. The query is made and counted; the others count nothing, and are no
+   * slower for it. 0 where there is nothing to search for. Thread safe after a build.
    */
   vtkIdType GetClosestPointCost(const double x[3]);
   vtkIdType GetClosestNPointsCost(int count, const double x[3]);

@@ -2,13 +2,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Sets everything up and runs one benchmark.
-#   Testing/bench.sh NAME [arguments of Google Benchmark]
+#   Testing/bench.sh build [arguments of Google Benchmark]   the build of the tree
 #   Testing/bench.sh python [POINTS [POSITIONS [REPETITIONS]]]   the locator from Python beside cKDTree
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            --help tells its own arguments
 #   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, its claims and figures,
 #                                            in build/bench/paper.md; 25 minutes, --quick one
-#   Testing/bench.sh --vtk build|locator [arguments]   the same beside Debian's own VTK (libvtk9-dev), which
+#   Testing/bench.sh --vtk build|locator [arguments]   these two beside Debian's own VTK (libvtk9-dev), which
 #                                            is compiled with optimisation, while that in Debian's ParaView
 #                                            is not; on a machine without ParaView, in build/vtk
 set -euo pipefail

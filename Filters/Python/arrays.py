@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Batches of searches of vtkHashedOctreePointLocator, NumPy arrays in and out.
 
-Positions are arrays of shape (m, 3) of numbers; float32 and float64 are read where they are. Masked
-arrays (whether a value is masked or not), also as rows of a list or values in them, and what is no
+Positions are arrays of shape (m, 3) of numbers, other shapes a ValueError; float32 and float64 in C
+order are read where they are. Masked arrays (whether a value is masked or not), also as rows of a list or values in them, and what is no
 real number (complex numbers, strings, dates, None), also in arrays of objects, are a TypeError.
 Results are views of the memory that the search filled, nothing is copied: ids are int64, squared
 distances float64. A batch that could not be done is a RuntimeError that says why, unless VTK's
