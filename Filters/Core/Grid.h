@@ -136,8 +136,7 @@ public:
    * [0, 2^MaxDepth]. Nodes of any depth that share a corner get the same position. */
   double GetCorner(std::uint32_t coordinate, int axis) const
   {
-    return this->Lower[axis] +
-      this->Side * std::ldexp(static_cast<double>(coordinate), -Key::MaxDepth);
+    return this->Lower[axis] + this->Side * (static_cast<double>(coordinate) / Key::CellsPerSide);
   }
 
 private:
