@@ -75,7 +75,7 @@ using ComputeOf = void (*)(
   const OfOctants<Dim, T>*, const OfOctants<Dim, T>*, const double*, OfOctants<Dim, T>&);
 
 template <int Dim>
-struct Plain
+struct PlainBoxes
 {
   template <typename T>
   static unsigned ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
@@ -140,7 +140,7 @@ private:
 
 #if defined(__x86_64__)
 /** In three dimensions, where the octants fill vectors. */
-struct Avx2
+struct Avx2Boxes
 {
   HASHEDOCTREE_WITH_AVX2 static unsigned ToBoxes(
     const ChildBoxes<3>& boxes, const double* steps, float limit, float* dist2)
@@ -242,38 +242,38 @@ private:
 #endif
 
 template <int Dim>
-constexpr BoxKernels<Dim> PlainKernels = { Plain<Dim>::template ToBoxes<float>,
-  Plain<Dim>::template ToBoxes<double>, Plain<Dim>::template ToWholeBoxes<float>,
-  Plain<Dim>::template ToWholeBoxes<double>, Plain<Dim>::ToFarthestCorner };
+constexpr BoxKernels<Dim> PlainBoxKernels = { PlainBoxes<Dim>::template ToBoxes<float>,
+  PlainBoxes<Dim>::template ToBoxes<double>, PlainBoxes<Dim>::template ToWholeBoxes<float>,
+  PlainBoxes<Dim>::template ToWholeBoxes<double>, PlainBoxes<Dim>::ToFarthestCorner };
 
 template <int Dim>
-BoxKernels<Dim> ChooseKernels()
+BoxKernels<Dim> ChooseBoxKernels()
 {
 #if defined(__x86_64__)
   if constexpr (Dim == 3)
   {
     if (HasAvx2())
     {
-      return { Avx2::ToBoxes, Avx2::ToBoxesFromAfar, Avx2::ToWholeBoxes, Avx2::ToWholeBoxesFromAfar,
-        Avx2::ToFarthestCorner };
+      return { Avx2Boxes::ToBoxes, Avx2Boxes::ToBoxesFromAfar, Avx2Boxes::ToWholeBoxes,
+        Avx2Boxes::ToWholeBoxesFromAfar, Avx2Boxes::ToFarthestCorner };
     }
   }
 #endif
-  return PlainKernels<Dim>;
+  return PlainBoxKernels<Dim>;
 }
 }
 
 template <int Dim>
 const BoxKernels<Dim>& GetBoxKernels()
 {
-  static const BoxKernels<Dim> kernels = ChooseKernels<Dim>();
+  static const BoxKernels<Dim> kernels = ChooseBoxKernels<Dim>();
   return kernels;
 }
 
 template <int Dim>
 const BoxKernels<Dim>& GetPlainBoxKernels()
 {
-  return PlainKernels<Dim>;
+  return PlainBoxKernels<Dim>;
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

@@ -16,7 +16,7 @@ namespace hashedoctree
 namespace
 {
 template <int Dim, typename Real>
-struct Plain
+struct PlainPoints
 {
   static double ToPoints(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
@@ -107,7 +107,7 @@ private:
 };
 
 template <int Dim, typename Real>
-struct Avx2
+struct Avx2Points
 {
   // Not left to the compiler: GCC 12 converts floats in halves, and loads x anew for all four.
   HASHEDOCTREE_WITH_AVX2 static double ToPoints(
@@ -218,17 +218,19 @@ private:
 #endif
 
 template <int Dim, typename Real>
-constexpr PointKernels<Dim, Real> PlainKernels = { Plain<Dim, Real>::ToPoints,
-  Plain<Dim, Real>::ToPointsWithin, Plain<Dim, Real>::Select, Plain<Dim, Real>::CopySelected };
+constexpr PointKernels<Dim, Real> PlainPointKernels = { PlainPoints<Dim, Real>::ToPoints,
+  PlainPoints<Dim, Real>::ToPointsWithin, PlainPoints<Dim, Real>::Select,
+  PlainPoints<Dim, Real>::CopySelected };
 
 template <int Dim, typename Real>
-PointKernels<Dim, Real> ChooseKernels()
+PointKernels<Dim, Real> ChoosePointKernels()
 {
 #if defined(__x86_64__)
   if (HasAvx2())
   {
-    PointKernels<Dim, Real> kernels = { Avx2<Dim, Real>::ToPoints, Avx2<Dim, Real>::ToPointsWithin,
-      Avx2<Dim, Real>::Select, Plain<Dim, Real>::CopySelected };
+    PointKernels<Dim, Real> kernels = { Avx2Points<Dim, Real>::ToPoints,
+      Avx2Points<Dim, Real>::ToPointsWithin, Avx2Points<Dim, Real>::Select,
+      PlainPoints<Dim, Real>::CopySelected };
     if constexpr (sizeof(PointIndex) == sizeof(std::uint32_t))
     {
       kernels.CopySelected = Avx2Ids::CopySelected;
@@ -236,21 +238,21 @@ PointKernels<Dim, Real> ChooseKernels()
     return kernels;
   }
 #endif
-  return PlainKernels<Dim, Real>;
+  return PlainPointKernels<Dim, Real>;
 }
 }
 
 template <int Dim, typename Real>
 const PointKernels<Dim, Real>& GetPointKernels()
 {
-  static const PointKernels<Dim, Real> kernels = ChooseKernels<Dim, Real>();
+  static const PointKernels<Dim, Real> kernels = ChoosePointKernels<Dim, Real>();
   return kernels;
 }
 
 template <int Dim, typename Real>
 const PointKernels<Dim, Real>& GetPlainPointKernels()
 {
-  return PlainKernels<Dim, Real>;
+  return PlainPointKernels<Dim, Real>;
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

@@ -44,7 +44,7 @@ protected:
     const auto program =
       std::filesystem::canonical("/proc/self/exe").parent_path() / "BenchmarkPaper";
     const std::string folder = this->Folder.string();
-    const std::string command = EMULATOR " " + program.string() + " --points " + folder +
+    const std::string command = "$EMULATOR " + program.string() + " --points " + folder +
       " --output " + folder + "/paper.md " + arguments + " >" + folder + "/log.txt 2>&1";
     return std::system(command.c_str()) == 0;
   }
