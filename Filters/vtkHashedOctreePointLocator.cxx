@@ -120,7 +120,8 @@ void vtkHashedOctreePointLocator::SetStartDepthProperty(int& property, int value
     catch (const std::bad_alloc&)
     {
       property = before;
-      vtkErrorMacro("There is not enough memory for local start depths; choose another model.");
+      vtkErrorMacro(
+        "There is not enough memory for local start depths; the property stays as it was.");
       return;
     }
   }

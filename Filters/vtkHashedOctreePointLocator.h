@@ -125,7 +125,8 @@ public:
 
   ///@{
   /** One of FrequencyModels; default Leaves. A change moves the start depth of a tree that is up to
-   * date, at once, and does not rebuild it. */
+   * date, at once, and does not rebuild it. Without memory for start depths of the Local model it
+   * is an error, and there is no change. */
   void SetFrequencyModel(int model);
   vtkGetMacro(FrequencyModel, int);
   ///@}

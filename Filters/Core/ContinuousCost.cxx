@@ -34,8 +34,8 @@ double FindMinimiser(const DepthHistogram& histogram)
     histogram.begin(), histogram.begin() + static_cast<std::ptrdiff_t>(median), std::uint64_t(0));
   const std::uint64_t weight = histogram[median];
   const std::uint64_t above = GetTotal(histogram) - below - weight;
-  __extension__ using Difference = __int128; // Weights may have 64 bits.
-  const auto excess = static_cast<double>(Difference(above) - Difference(below));
+  // Not more than the weight either way, and less than half of what 64 bits hold.
+  const auto excess = static_cast<double>(static_cast<std::int64_t>(above - below));
   // Root of 3 t^2 - 2 t^3 = wanted in [0, 1], in closed form; 1, also as it is rounded, where
   // exactly half lies up to the median.
   const double wanted = 0.5 + excess / 2.0 / static_cast<double>(weight);

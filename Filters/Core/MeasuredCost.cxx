@@ -41,9 +41,9 @@ void PrefetchBelow(const Octree<Dim>& tree, std::size_t block)
 
 /**
  * Counts the nodes that searches for leaves examine, from all start depths together. A search that
- * comes to a node goes on like the one that starts there: so each node on the way is looked up
- * once, and those above two leaves only for the first. Where the searches for several leaves in
- * turn go up and down at the same depths, they are added up together.
+ * comes to a node goes on like the one that starts there: so each node on the way to a leaf is
+ * looked up once, and those that the leaf before it has there, too, not again. Where the searches
+ * for several leaves in turn go up and down at the same depths, they are added up together.
  */
 template <int Dim>
 class LeafSearches
@@ -127,7 +127,7 @@ private:
   int LastStartDepth;
   MortonKey<Dim> LastKey;
   Way Last;
-  std::uint64_t Leaves = 0; ///< Not yet in the sums; 0 before the first leaf only.
+  std::uint64_t Leaves = 0; ///< Not yet in the sums; some whenever another is added.
   std::uint64_t Points = 0; ///< In these leaves.
   PartialSums<Dim> Sums;
 };

@@ -105,8 +105,7 @@ void WriteNeighborStarts(std::ostream& out, const std::vector<PaperResults>& set
        "below all leaves, which the paper expects to take more than from the median. The radius is "
        "that of Table 2. The times are of adjacent searches for the same leaves, that of the depth "
        "kept for each with looking it up; fewer leaves than in Table 2, so that more of the tree "
-       "is "
-       "in the caches: they compare with each other only.\n\n";
+       "is in the caches: they compare with each other only.\n\n";
   WriteHead(out,
     { "set", "start depth", "adjacent: root", "median", "climbing", "best depth for all",
       "best for each", "in-radius: root", "median", "climbing", "best depth for all",

@@ -37,15 +37,11 @@ Summary Summarise(const std::vector<PaperResults>& sets, const Function& functio
     *std::max_element(values.begin(), values.end()) };
 }
 
-inline std::string FormatSummary(const Summary& summary)
+inline std::string FormatSummary(
+  const Summary& summary, std::string (*format)(double number) = Format)
 {
-  return Format(summary.Lowest) + " to " + Format(summary.Highest) + ", mean " +
-    Format(summary.Mean);
-}
-inline std::string FormatSummary(const Summary& summary, int decimals)
-{
-  return Format(summary.Lowest, decimals) + " to " + Format(summary.Highest, decimals) + ", mean " +
-    Format(summary.Mean, decimals);
+  return format(summary.Lowest) + " to " + format(summary.Highest) + ", mean " +
+    format(summary.Mean);
 }
 
 /** What direct searches cost from the root over what they cost from the start depth: in nodes, for

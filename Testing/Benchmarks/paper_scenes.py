@@ -50,8 +50,7 @@ class PointSet:
 
     def points_of_leaves_at(self, height):
         """Those whose leaves a plane across z cuts."""
-        located = servermanager.Fetch(simple.HashedOctreeLocate(Input=self.source, QueryPoints=self.source,
-                                                                IncludeEmptyLeaves=0))
+        located = servermanager.Fetch(simple.HashedOctreeLocate(Input=self.source, QueryPoints=self.source))
         leaves = servermanager.Fetch(self.octree)
         corners = vtk_to_numpy(leaves.GetCells().GetConnectivityArray()).reshape(-1, 8)[:, [0, 7]]
         low, high = vtk_to_numpy(leaves.GetPoints().GetData())[corners, 2].T
@@ -81,6 +80,7 @@ class Query:
         low, high = np.array(cell.GetBounds()).reshape(3, 2).T
         self.center, self.side = (low + high) / 2, high[0] - low[0]
         self.plane = self.get_plane((low[2], high[2]))
+        self.dots = point_set.points_of_leaves_at(self.plane)[:, :2]
         self.radius = RADIUS_OF_SIDE * self.side
         self.in_radius.Radius = self.radius
         self.in_radius.UpdatePipeline()
@@ -175,9 +175,8 @@ def plane_scene(query, search):
         radius = np.sqrt(query.radius ** 2 - (query.plane - query.center[2]) ** 2)
         circle = simple.Disk(InnerRadius=0.99 * radius, OuterRadius=radius, CircumferentialResolution=180)
         show_plain(moved(circle, (*query.center[:2], query.plane + 0.02 * width)), view, "Surface")
-    dots = query.point_set.points_of_leaves_at(query.plane)[:, :2]
     for color, size, height in (("white", width / 50, 0.02 * width), (DARK, width / 70, 0.03 * width)):
-        raised = np.column_stack((dots, np.full(len(dots), query.plane + height)))
+        raised = np.column_stack((query.dots, np.full(len(query.dots), query.plane + height)))
         show_plain(simple.Glyph(Input=to_source(raised), GlyphType="Sphere", GlyphMode="All Points", ScaleFactor=size,
                                 ScaleArray=["POINTS", "No scale array"]), view, "Surface", color)
     view.CameraParallelProjection, view.CameraParallelScale = 1, width / 2

@@ -54,7 +54,8 @@ protected:
       {
         // The same node by the position and depth of each of its points (paper section 2).
         const Real* x = sample.GetSpan()[id];
-        ASSERT_EQ(tree.FindNode(tree.GetGrid().GetKey(x).AtDepth(name.Depth))->NodeKey, key);
+        const auto same = tree.FindNode(tree.GetGrid().GetKey(x).AtDepth(name.Depth));
+        ASSERT_TRUE(same && same->NodeKey == key);
       }
       ASSERT_EQ(tree.FindNode(key, EmptyOctants::Missing).has_value(), !expected.Ids.empty());
       occupiedNodes += expected.Ids.empty() ? 0 : 1;

@@ -131,6 +131,15 @@ TEST(TestPaperClaims, OfNeighborsAndBuilds)
     },
     OneOfFive);
   ExpectJudged(
+    "From the root, direct searches in hashed", 0,
+    [](PaperResults& set) { set.Times[Direct][PaperRoot] = set.Times[Direct][BrotherChild]; },
+    OneOfFive);
+  EXPECT_NE(Judge(MakeSets(), "From the root, direct searches in hashed")[0].find(
+              "time over 8 pointers: 14.0 to 15.0, mean 14.5; over brother/child: 1.75 to 1.88"),
+    std::string::npos);
+  EXPECT_NE(Judge(MakeSets(), "From the start depth leaves above")[2].find("1.048 to 1.048"),
+    std::string::npos);
+  ExpectJudged(
     "From the start depth leaves above", 1,
     [](PaperResults& set) { set.Neighbors.Adjacent.Climbing = 21.0; }, OneOfFive);
   ExpectJudged(
