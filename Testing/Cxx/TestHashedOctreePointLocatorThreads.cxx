@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkSMPTools.h"
 
 #include <array>
@@ -180,4 +181,41 @@ TEST(TestHashedOctreePointLocatorThreads, ArraysThatComputeTheirPointsAreReadOnO
     wrong += locator->FindClosestPoint(x) == i && ids->GetValue(i) == i ? 0 : 1;
   }
   EXPECT_EQ(wrong, 0);
+}
+
+namespace
+{
+/** Remembers which thread asked for a point first: vtkDataSet wants it to be one alone. */
+class ImageOfFirstReader : public vtkImageData
+{
+public:
+  static ImageOfFirstReader* New();
+  vtkTypeMacro(ImageOfFirstReader, vtkImageData);
+
+  void GetPoint(vtkIdType id, double x[3]) override
+  {
+    if (!this->WasRead.exchange(true))
+    {
+      this->FirstReader = std::this_thread::get_id();
+    }
+    this->Superclass::GetPoint(id, x);
+  }
+  using vtkImageData::GetPoint;
+
+  std::atomic<bool> WasRead{ false };
+  std::thread::id FirstReader;
+};
+vtkStandardNewMacro(ImageOfFirstReader);
+}
+
+TEST(TestHashedOctreePointLocatorThreads, DataSetsAreFirstReadOnTheCallersThread)
+{
+  vtkNew<ImageOfFirstReader> image;
+  image->SetDimensions(60, 60, 60);
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(2);
+  TestedLocator locator(image);
+  locator->BuildLocator();
+  vtkSMPTools::Initialize(0);
+  EXPECT_EQ(image->FirstReader, std::this_thread::get_id());
 }
