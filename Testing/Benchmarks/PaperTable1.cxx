@@ -162,8 +162,7 @@ void WriteOptimisation(std::ostream& out, const Sets& sets)
 {
   out << "\n### Choosing the start depth, us\n\nIn the paper's layout by counting the leaves in "
          "the table, in ours from the counts that the build keeps, each timed by itself. The paper "
-         "calls it less than "
-         "one percent of the build, which none of its rows has (E16).\n\n";
+         "calls it less than one percent of the build, which none of its rows has (E16).\n\n";
   WriteHead(out,
     { "set", "paper's layout (the paper's)", "% of its build (the paper's)", "ours",
       "% of its build" });
