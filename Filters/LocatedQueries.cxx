@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatedQueries.h"
 
+#include "PointsAdaptor.h"
 #include "QueryArrays.h"
 #include "QueryDepths.h"
 
@@ -76,6 +77,7 @@ template <int Dim>
 LocatedQueries<Dim>::LocatedQueries(
   vtkDataSet* queries, const PointsOctree<Dim>& octree, const Execution& execution)
   : Tree(octree)
+  , Others(queries != nullptr ? DuplicatePoints(queries) : DuplicatePoints())
 {
   vtkNew<vtkPolyData> nothing;
   const PointsAdaptor points(
@@ -97,12 +99,37 @@ LocatedQueries<Dim>::LocatedQueries(
 template <int Dim>
 DepthHistogram LocatedQueries<Dim>::MeasureDepths(const Execution& execution) const
 {
-  const bool isAlone = !this->Tree.Processes.AreSeveral();
-  DepthHistogram depths =
-    MeasureQueryDepths(this->Tree.Tree, isAlone ? this->Own : this->Taken.Values, execution);
+  const ProcessGroup& processes = this->Tree.Processes;
+  const Keys* keys = processes.AreSeveral() ? &this->Taken.Values : &this->Own;
+  Keys counted;
+  if (processes.Sum(this->Others.AreThere() ? 1U : 0U) > 0)
+  {
+    counted = this->GetCountedKeys();
+    if (processes.AreSeveral())
+    {
+      counted = processes.Exchange(this->Tree.Division.Deal(TakeFinite(counted))).Values;
+    }
+    keys = &counted;
+  }
+  DepthHistogram depths = MeasureQueryDepths(this->Tree.Tree, *keys, execution);
   depths.resize(this->Tree.Counts.Leaves.size());
-  this->Tree.Processes.Sum(depths);
+  processes.Sum(depths);
   return depths;
+}
+
+/** The keys of this process's queries, 0 in place of those that are another piece's. */
+template <int Dim>
+auto LocatedQueries<Dim>::GetCountedKeys() const -> Keys
+{
+  Keys keys = this->Own;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    if (this->Others.Have(static_cast<vtkIdType>(i)))
+    {
+      keys[i] = MortonKey<Dim>(0);
+    }
+  }
+  return keys;
 }
 
 template <int Dim>
@@ -114,27 +141,14 @@ auto LocatedQueries<Dim>::Search(
     return this->SearchWithOthers(search, output, execution);
   }
   const QueryArrays<Dim> arrays(output);
-  return SearchAll(this->Own, search, execution,
-    [&arrays](std::size_t i, const FoundQuery<Dim>& found)
-    { arrays.Set(static_cast<vtkIdType>(i), found); });
-}
-
-/** Searches for the keys, and calls onFound(i, found) for each, on any thread. */
-template <int Dim>
-template <typename OnFound>
-auto LocatedQueries<Dim>::SearchAll(const Keys& keys, const QuerySearch<Dim>& search,
-  const Execution& execution, const OnFound& onFound) -> Costs
-{
-  const auto chunks = execution.MapChunks(keys.size(), ChunkOfQueries,
+  const auto chunks = execution.MapChunks(this->Own.size(), ChunkOfQueries,
     [&](std::size_t first, std::size_t last)
     {
       Costs costs{};
       for (std::size_t i = first; i < last; ++i)
       {
-        const bool isFinite = keys[i] != MortonKey<Dim>(0);
-        const FoundQuery<Dim> found = isFinite ? search.Find(keys[i]) : FoundQuery<Dim>();
-        onFound(i, found);
-        Add(costs, found.Costs);
+        const bool isFinite = this->Own[i] != MortonKey<Dim>(0);
+        this->Take(i, isFinite ? search.Find(this->Own[i]) : FoundQuery<Dim>(), arrays, costs);
       }
       return costs;
     });
@@ -144,6 +158,20 @@ auto LocatedQueries<Dim>::SearchAll(const Keys& keys, const QuerySearch<Dim>& se
     Add(all, costs);
   }
   return all;
+}
+
+/** Keeps what is found for a query of this process, and adds what that cost, unless the query is
+ * another piece's. */
+template <int Dim>
+void LocatedQueries<Dim>::Take(std::size_t query, const FoundQuery<Dim>& found,
+  const QueryArrays<Dim>& arrays, Costs& sums) const
+{
+  const auto id = static_cast<vtkIdType>(query);
+  arrays.Set(id, found);
+  if (!this->Others.Have(id))
+  {
+    Add(sums, found.Costs);
+  }
 }
 
 template <int Dim>
@@ -158,12 +186,13 @@ auto LocatedQueries<Dim>::SearchWithOthers(
   {
     count *= words;
   }
-  const Costs costs = SearchAll(taken, search, execution,
-    [&answers](std::size_t i, const FoundQuery<Dim>& found)
-    { SentQuery<Dim>::Write(found, &answers.Values[words * i]); });
+  execution.ForEach(taken.size(), ChunkOfQueries,
+    [&](std::size_t i)
+    { SentQuery<Dim>::Write(search.Find(taken[i]), &answers.Values[words * i]); });
   answers = this->Tree.Processes.Exchange(answers);
 
   const QueryArrays<Dim> arrays(output);
+  Costs costs{};
   std::vector<std::size_t> next = answers.GetBegins(); // Each comes in the order of the keys.
   for (std::size_t i = 0; i < this->Own.size(); ++i)
   {
@@ -174,7 +203,7 @@ auto LocatedQueries<Dim>::SearchWithOthers(
       found = SentQuery<Dim>::Read(&answers.Values[next[part]]);
       next[part] += words;
     }
-    arrays.Set(static_cast<vtkIdType>(i), found);
+    this->Take(i, found, arrays, costs);
   }
   std::vector<std::uint64_t> all(costs.begin(), costs.end());
   this->Tree.Processes.Sum(all);

@@ -2,8 +2,9 @@
 #ifndef LocatedQueries_h
 #define LocatedQueries_h
 
+#include "DuplicatePoints.h"
 #include "Parted.h"
-#include "PointsAdaptor.h"
+#include "QueryArrays.h"
 #include "QuerySearch.h"
 
 #include "vtkDataSet.h"
@@ -16,8 +17,9 @@ namespace hashedoctree
 /**
  * One block of queries on the way through a tree. Each is searched for in the part of the tree that
  * it is in: of several processes, all of which have to call the same members, that with the part
- * gets the query's key from that with the query, and sends back what is found. Instantiated for 2
- * and 3 dimensions. Private to the module.
+ * gets the query's key from that with the query, and sends back what is found. Queries that are
+ * another piece's are searched for, too, but count there. Instantiated for 2 and 3 dimensions.
+ * Private to the module.
  */
 template <int Dim>
 class LocatedQueries
@@ -32,27 +34,28 @@ public:
   /** Those of this process that have finite coordinates. */
   std::size_t GetNumberOfFinite() const { return this->Finite; }
 
-  /** How many queries of all processes lie in leaves of each depth, from 0 to the tree's deepest.
-   * As MeasureQueryDepths(). */
+  /** How many queries that count, of all processes, lie in leaves of each depth, from 0 to the
+   * tree's deepest. As MeasureQueryDepths(). */
   DepthHistogram MeasureDepths(const Execution& execution) const;
 
   /** Searches for all queries, and adds what is found (QueryArrays) to a data set that has the
-   * points of the block. Returns the nodes that each search examines for the queries of all
-   * processes together. Throws Interrupted, with a data set that must be emptied. The same whatever
-   * the threads. */
+   * points of the block. Returns the nodes that each search examines for the queries that count, of
+   * all processes together. Throws Interrupted, with a data set that must be emptied. The same
+   * whatever the threads. */
   Costs Search(
     const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const;
 
 private:
   using Keys = std::vector<MortonKey<Dim>>;
 
-  template <typename OnFound>
-  static Costs SearchAll(const Keys& keys, const QuerySearch<Dim>& search,
-    const Execution& execution, const OnFound& onFound);
+  Keys GetCountedKeys() const;
   Costs SearchWithOthers(
     const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const;
+  void Take(std::size_t query, const FoundQuery<Dim>& found, const QueryArrays<Dim>& arrays,
+    Costs& sums) const;
 
   const PointsOctree<Dim>& Tree;
+  DuplicatePoints Others; ///< Another piece's.
   std::size_t Finite = 0;
   /** The key of each query of this process, 0 where it is not finite. */
   Keys Own;

@@ -6,6 +6,7 @@
 #include "BlockStructure.h"
 #include "DistinctKeys.h"
 #include "DistributedOctree.h"
+#include "DuplicatePoints.h"
 #include "MortonCodes.h"
 #include "OctreeHyperTree.h"
 #include "PassFieldData.h"
@@ -15,12 +16,10 @@
 
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <chrono>
@@ -37,6 +36,7 @@ constexpr double SelectionShare = 0.05;
 constexpr double KeysShare = 0.2;
 /** And of making them: where there is one for each point. */
 constexpr double CodesShare = 0.4;
+constexpr std::size_t PointsAtATime = 4096; ///< Between looks whether to go on.
 
 /** The points that a process has for a tree, but for those that VTK marks as another piece's. */
 template <typename Real>
@@ -44,15 +44,8 @@ struct OwnPoints
 {
   PointSpan<3, Real> Points;
   const PointSelection<3>& Selection;
-  vtkUnsignedCharArray* Ghosts; ///< Null where no point is another piece's.
-  bool Merge;                   ///< Whether those in one cell at the deepest depth count as one.
-
-  bool IsDuplicate(PointIndex id) const
-  {
-    return this->Ghosts != nullptr &&
-      (this->Ghosts->GetValue(static_cast<vtkIdType>(id)) & vtkDataSetAttributes::DUPLICATEPOINT) !=
-      0;
-  }
+  DuplicatePoints Others; ///< That are another piece's.
+  bool Merge;             ///< Whether those in one cell at the deepest depth count as one.
 };
 
 /** The keys of a process's points in the root of all of them; merged, if they are to be. */
@@ -64,13 +57,16 @@ std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim
     PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
   std::vector<MortonKey<Dim>> keys;
   keys.reserve(coded.GetSize());
-  for (std::size_t i = 0; i < coded.GetSize(); ++i)
-  {
-    if (!own.IsDuplicate(coded[i].GetId()))
-    {
-      keys.push_back(coded[i].GetKey());
-    }
-  }
+  execution.Part(CodesShare, CodesShare)
+    .OnOneThread()
+    .ForEach(coded.GetSize(), PointsAtATime,
+      [&](std::size_t i)
+      {
+        if (!own.Others.Have(static_cast<vtkIdType>(coded[i].GetId())))
+        {
+          keys.push_back(coded[i].GetKey());
+        }
+      });
   if (own.Merge)
   {
     keys = GetDistinctKeys(keys, execution.Part(CodesShare, 1.0));
@@ -85,7 +81,7 @@ PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
   const Execution& execution)
 {
   PointsOctree<Dim> octree;
-  if (own.Merge || own.Ghosts != nullptr)
+  if (own.Merge || own.Others.AreThere())
   {
     octree.Tree = Octree<Dim>(grid, MakeKeys(frame, grid, own, execution.Part(0.0, KeysShare)),
       options, execution.Part(KeysShare, 1.0));
@@ -248,9 +244,8 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
       {
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
         auto octree = BuildInFrame(this->Processes, frame, *root,
-          OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{ span, selection,
-            input->HasAnyGhostPoints() ? input->GetPointGhostArray() : nullptr,
-            this->Algorithm->GetMergePoints() },
+          OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{
+            span, selection, DuplicatePoints(input), this->Algorithm->GetMergePoints() },
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
         if (octree.GetNumberOfPoints() > 0) // Not all are other pieces'.
         {

@@ -41,7 +41,7 @@ public:
   static constexpr double BuildShare = 0.3;
 
   /** `root`, where given, takes the place of the points' own bounds. */
-  explicit OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes = {},
+  explicit OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes,
     std::optional<Box<3>> root = {});
 
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the

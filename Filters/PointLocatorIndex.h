@@ -12,6 +12,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
+#include "vtkTypeFloat32Array.h"
+#include "vtkTypeFloat64Array.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <cstddef>
@@ -40,13 +42,16 @@ public:
    * others may tell of a change in their GetMTime() alone. */
   void Watch(vtkDataSet* dataSet)
   {
-    if (!IsOneOf<vtkPolyData, vtkStructuredGrid, vtkUnstructuredGrid>(dataSet))
+    if (!IsOneOf<vtkPointSet, vtkPolyData, vtkStructuredGrid, vtkUnstructuredGrid>(dataSet))
     {
       return;
     }
     auto* pointSet = static_cast<vtkPointSet*>(dataSet);
     vtkPoints* points = pointSet->GetPoints();
-    if (IsOneOf<vtkPoints>(points) && IsOneOf<vtkDoubleArray, vtkFloatArray>(points->GetData()))
+    // From VTK 9.2 on arrays of a type, as readers and vtkPoints ask for them, are the latter two.
+    if (IsOneOf<vtkPoints>(points) &&
+      IsOneOf<vtkDoubleArray, vtkFloatArray, vtkTypeFloat32Array, vtkTypeFloat64Array>(
+        points->GetData()))
     {
       this->PointSet = pointSet;
       this->PointsOfSet = points;

@@ -55,7 +55,6 @@ public:
   }
 
   Comparison& GetComparison() { return this->Searches; }
-  const Comparison& GetComparison() const { return this->Searches; }
 
   /** For a position in the part, given its key at MaxDepth. */
   FoundQuery<Dim> Find(MortonKey<Dim> key) const

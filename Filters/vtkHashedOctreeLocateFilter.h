@@ -25,8 +25,8 @@
  * per query (arrays of the same names are replaced):
  * - LeafId (vtkIdType): cell of vtkHashedOctreeFilter's port 0, as voxels or outlines, that holds
  *   the query, for the same tree properties and IncludeEmptyLeaves, and without internal nodes;
- *   without empty leaves, and in an octree, also what vtkHashedOctreePointLocator::GetLeafId()
- *   gives. -1 where there is no such cell;
+ *   without empty leaves, in an octree, without MergePoints and points that are another piece's,
+ *   also what vtkHashedOctreePointLocator::GetLeafId() gives. -1 where there is no such cell;
  * - LeafDepth (int): depth of the leaf, or of the empty cell without a LeafId;
  * - LeafKey (unsigned 64-bit): its Morton key;
  * - HitCost (int, active scalars): nodes that the search from the chosen start depth examines;
@@ -38,12 +38,13 @@
  * All costs are counted in searches that were made. Queries outside the root count for the leaf
  * that is nearest to them on each axis. Queries with a coordinate that is not finite have LeafId
  * -1, LeafDepth -1, LeafKey 0 and costs 0; one warning tells how many there are in all blocks, and
- * means leave them out (0 where no query is left). Field data of both outputs, one value each:
- * StartDepth (the chosen one), MeanHitCost (over the queries), BestStartDepth (the one with the
- * least mean cost for these queries, the smallest of equals; 0 where none is left), SkippedPoints
- * (of the tree: not finite, or too large). All outputs keep the field data of the points, and
- * output 0, like a composite output of composite queries, that of the queries; of arrays of one
- * name it keeps its own, then the queries'.
+ * means leave them out (0 where no query is left). Queries that are another piece's (vtkGhostType
+ * has DUPLICATEPOINT) get their arrays, and are left out of means, too. Field data of both outputs,
+ * one value each: StartDepth (the chosen one), MeanHitCost (over the queries), BestStartDepth (the
+ * one with the least mean cost for these queries, the smallest of equals; 0 where none is left),
+ * SkippedPoints (of the tree: not finite, or too large). All outputs keep the field data of the
+ * points, and output 0, like a composite output of composite queries, that of the queries; of
+ * arrays of one name it keeps its own, then the queries'.
  *
  * Output port 1, vtkTable, a row for each way to search: Root, Median, Mean, Fixed (if chosen),
  * Local, Decision tree, Best for these queries (from BestStartDepth), and last Entropy bound, which

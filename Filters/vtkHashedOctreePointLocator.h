@@ -32,6 +32,7 @@
  * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
  *   double (4.4e307), are never found; each build that meets some says so in one warning with their
  *   number, when it is done.
+ * - Ghost points and hidden ones (vtkGhostType) are points like all others.
  * - One point, points that are all equal, few points far from many: all as above. Leaves at depth
  *   21 with more than four times as many points as they may hold (at least 32) have trees of their
  *   own. (With a smaller MaxDepth leaves are as large as was asked for.)
@@ -43,10 +44,12 @@
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
  * the data set may be changed, emptied or replaced between queries. A change inside its cells or
- * attributes asks for no new tree of vtkPolyData, vtkStructuredGrid or vtkUnstructuredGrid with
- * vtkPoints in a vtkFloatArray or vtkDoubleArray, but new cells of the first two do (SetPolys());
- * of other data, and of classes derived from these, every change that GetMTime() tells of does.
- * (After one in the coordinate arrays of a vtkRectilinearGrid, call its Modified().) After
+ * attributes asks for no new tree of vtkPointSet, vtkPolyData, vtkStructuredGrid or
+ * vtkUnstructuredGrid with vtkPoints in a vtkFloatArray, vtkDoubleArray, vtkTypeFloat32Array or
+ * vtkTypeFloat64Array, but new cells of vtkPolyData and vtkStructuredGrid do (SetPolys()); of other
+ * data, and of other classes derived from these, every change that GetMTime() tells of does, and
+ * each query takes the time to ask for it. (After one in the coordinate arrays of a
+ * vtkRectilinearGrid, call its Modified().) After
  * BuildLocator(), called directly or by a query, the queries are thread safe as long as nothing is
  * modified. The build runs on the threads of vtkSMPTools; its result does not depend on their
  * number. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal
@@ -125,8 +128,8 @@ public:
 
   ///@{
   /** One of FrequencyModels; default Leaves. A change moves the start depth of a tree that is up to
-   * date, at once, and does not rebuild it. Without memory for start depths of the Local model it
-   * is an error, and there is no change. */
+   * date, at once, and does not rebuild it, but GetBuildTime() is then that of the change. Without
+   * memory for start depths of the Local model it is an error, and there is no change. */
   void SetFrequencyModel(int model);
   vtkGetMacro(FrequencyModel, int);
   ///@}

@@ -172,6 +172,10 @@ TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreLeftOut)
   TestedFilter filter;
   filter->SetInputData(input);
   filter.UpdateToNothing();
+  ghosts->SetNumberOfTuples(419); // Not one for each point: nothing is marked.
+  filter->Modified();
+  filter.Update();
+  EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 420);
 }
 
 TEST(TestHashedOctreeFilterBadInput, CustomBoundsThatCannotBeAreAnError)

@@ -4,6 +4,7 @@
 #include "SameOutputs.h"
 #include "TestedLocateFilter.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
@@ -11,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -88,6 +90,43 @@ TEST(TestHashedOctreeLocateFilterInputs, NoFiniteQueryIsLocated)
   }
   EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 0);
   ExpectToWorkAgain(filter);
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, QueriesOfAnotherPieceDoNotCount)
+{
+  const auto points = MakeUniform(500, 351);
+  std::vector<double> all = MakeUniformPoints<3, double>(90, 352, -0.5, 1.5);
+  TestedLocateFilter ofAll(points, MakePolyData(all));
+  ofAll.Update();
+  const auto queries = MakePolyData(all);
+  vtkUnsignedCharArray* ghosts = queries->AllocatePointGhostArray();
+  std::fill_n(ghosts->GetPointer(60), 30, vtkDataSetAttributes::DUPLICATEPOINT);
+  ghosts->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+  TestedLocateFilter filter(points, queries);
+  filter.Update();
+  ExpectSameLocations(filter, ofAll);
+  all.resize(3 * 60);
+  TestedLocateFilter ofOwn(points, MakePolyData(all));
+  ofOwn.Update();
+  EXPECT_NE(ofOwn.GetFieldValue("MeanHitCost"), ofAll.GetFieldValue("MeanHitCost"));
+  EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), ofOwn.GetFieldValue("MeanHitCost"));
+  for (const char* model : { "Root", "Local", "Best for these queries", "Entropy bound" })
+  {
+    EXPECT_EQ(
+      filter.GetTableValue(model, "MeasuredMean"), ofOwn.GetTableValue(model, "MeasuredMean"))
+      << model;
+  }
+
+  std::fill_n(ghosts->GetPointer(0), 90, vtkDataSetAttributes::DUPLICATEPOINT);
+  filter->SetInputData(1, queries);
+  filter->Modified();
+  filter.Update();
+  EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 0);
+  EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), 0);
+  ghosts->SetNumberOfTuples(89); // Not one for each query: nothing is marked.
+  filter->Modified();
+  filter.Update();
+  EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), ofAll.GetFieldValue("MeanHitCost"));
 }
 
 TEST(TestHashedOctreeLocateFilterInputs, BothInputsAreRequired)

@@ -12,11 +12,16 @@
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTypeFloat32Array.h"
+#include "vtkTypeFloat64Array.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 #include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <sstream>
+#include <string>
 
 namespace
 {
@@ -244,11 +249,36 @@ TEST(TestHashedOctreePointLocatorBuild, WhoTellsOfChangesByGetMTimeAloneIsAsked)
 
 TEST(TestHashedOctreePointLocatorBuild, CellsAndAttributesAskForNoNewTree)
 {
-  CountedLocator locator;
-  EXPECT_EQ(locator.Use(), 1U);
-  locator.GetCloud()->GetPointData()->Modified();
-  locator.GetCloud()->GetCellData()->Modified();
-  EXPECT_EQ(locator.Use(), 0U);
+  const auto expectNoRebuild = [](CountedLocator& locator, vtkDataSet* dataSet)
+  {
+    SCOPED_TRACE(std::string(dataSet->GetClassName()) + " with a " +
+      locator.GetCloud()->GetPoints()->GetData()->GetClassName());
+    EXPECT_EQ(locator.Use(), 1U);
+    dataSet->GetPointData()->Modified();
+    dataSet->GetCellData()->Modified();
+    EXPECT_EQ(locator.Use(), 0U);
+  };
+  const auto expectOfArray = [&](const auto& array)
+  {
+    CountedLocator locator;
+    array->DeepCopy(locator.GetCloud()->GetPoints()->GetData());
+    locator.GetCloud()->GetPoints()->SetData(array);
+    expectNoRebuild(locator, locator.GetCloud());
+  };
+  expectOfArray(vtkSmartPointer<vtkFloatArray>::New());
+  expectOfArray(vtkSmartPointer<vtkDoubleArray>::New());
+  expectOfArray(vtkSmartPointer<vtkTypeFloat32Array>::New());
+  expectOfArray(vtkSmartPointer<vtkTypeFloat64Array>::New());
+  const auto expectOfSet = [&](const auto& pointSet)
+  {
+    CountedLocator locator;
+    pointSet->SetPoints(locator.GetCloud()->GetPoints());
+    locator->SetDataSet(pointSet);
+    expectNoRebuild(locator, pointSet);
+  };
+  expectOfSet(vtkSmartPointer<vtkPointSet>::New());
+  expectOfSet(vtkSmartPointer<vtkStructuredGrid>::New());
+  expectOfSet(vtkSmartPointer<vtkUnstructuredGrid>::New());
 }
 
 TEST(TestHashedOctreePointLocatorBuild, ForceBuildLocatorAlwaysBuilds)

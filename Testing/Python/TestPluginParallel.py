@@ -44,6 +44,16 @@ def make_points(coordinates):
     return data
 
 
+def mark(data, first):
+    """Marks the points from the first on as another piece's."""
+    ghosts = numpy.zeros(data.GetNumberOfPoints(), numpy.uint8)
+    ghosts[first:] = vtkDataSetAttributes.DUPLICATEPOINT
+    ghosts = numpy_to_vtk(ghosts, deep=True)
+    ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
+    data.GetPointData().AddArray(ghosts)
+    return data
+
+
 def run(data, pieces, errors=None, filter_=vtkHashedOctreeFilter, queries=None, **properties):
     """The filter's outputs for a data set in this process, as one of so many pieces. Where errors
     are expected, notes their texts and those of warnings."""
@@ -177,6 +187,7 @@ def expect_same_search(pieces, whole, mine):
     """What queries find, of which this process has `mine`, is what they find in one tree; and so
     are the costs."""
     here, there = arrays(pieces[0].GetPointData()), arrays(whole[0].GetPointData())
+    here.pop(vtkDataSetAttributes.GhostArrayName(), None)
     assert here.keys() == there.keys()
     for name in here:
         assert numpy.array_equal(here[name], there[name][mine]), name
@@ -206,6 +217,14 @@ for points, properties in [
                     queries=make_points(queries[mine]), **locating, **properties)
         expect_same_search(piece, whole, mine)
 
+# Queries that another process has, too, are found, and count there.
+whole = run(make_points(cube), 1, queries=make_points(queries), **locating)
+mine = numpy.array_split(numpy.arange(len(queries)), PROCESSES)[rank]
+others = numpy.concatenate([mine, numpy.arange(50 * rank)])  # One process has none of them.
+piece = run(make_points(cube[rank::PROCESSES]), PROCESSES,
+            queries=mark(make_points(queries[others]), len(mine)), **locating)
+expect_same_search(piece, whole, others)
+
 # Nothing in some processes, and another type in each.
 types = [numpy.float32, numpy.float64, numpy.float64, numpy.float32]
 halves = cube.astype(numpy.float32)
@@ -215,11 +234,7 @@ expect_same_tree(piece, run(make_points(halves), 1))
 
 # A point that is marked as one that another process has, too, is not counted twice.
 mine = make_points(numpy.concatenate([cube[rank::PROCESSES], cube[:300], cube[0::PROCESSES]]))
-ghosts = numpy.zeros(mine.GetNumberOfPoints(), numpy.uint8)
-ghosts[-300 - len(cube[0::PROCESSES]):] = vtkDataSetAttributes.DUPLICATEPOINT
-ghosts = numpy_to_vtk(ghosts, deep=True)
-ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
-mine.GetPointData().AddArray(ghosts)
+mark(mine, len(cube[rank::PROCESSES]))
 expect_same_tree(run(mine, PROCESSES), run(make_points(cube), 1))
 
 # So are points that nobody marks, where they are merged.
@@ -313,11 +328,7 @@ assert arrays(grid.GetCellData())["PointCount"][0] == len(cube)
 
 # Nothing in all processes: no points, or none that are their own.
 errors = []
-marked = make_points(cube)
-ghosts = numpy_to_vtk(numpy.full(len(cube), vtkDataSetAttributes.DUPLICATEPOINT, numpy.uint8), deep=True)
-ghosts.SetName(vtkDataSetAttributes.GhostArrayName())
-marked.GetPointData().AddArray(ghosts)
-for nothing in (make_points(cube[:0]), marked):
+for nothing in (make_points(cube[:0]), mark(make_points(cube), 0)):
     piece = run(nothing, PROCESSES, errors)
     assert errors == [], errors
     assert piece[0].GetNumberOfCells() == piece[1].GetNumberOfRows() == 0
