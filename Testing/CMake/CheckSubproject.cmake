@@ -1,10 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Configures projects that have this one as a part, whole (add_subdirectory) or as a VTK module.
-foreach (project IN ITEMS Subproject Module)
-  set(work "${BINARY_DIR}/Testing/${project}")
+# Configures projects that have this one as a part: whole (add_subdirectory), without a host, or as a
+# VTK module, shared or static.
+function (configure project work)
+  set(work "${BINARY_DIR}/Testing/${work}")
   file(REMOVE_RECURSE "${work}")
   execute_process(COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}"
-    -S "${SOURCE_DIR}/Testing/${project}" -B "${work}" "-DHASHEDOCTREE_SOURCE_DIR=${SOURCE_DIR}"
+    -S "${SOURCE_DIR}/Testing/${project}" -B "${work}" "-DHASHEDOCTREE_SOURCE_DIR=${SOURCE_DIR}" ${ARGN}
     COMMAND_ERROR_IS_FATAL ANY)
-endforeach ()
+endfunction ()
+
+configure(Subproject Subproject)
+configure(Subproject SubprojectWithoutHost -DHASHEDOCTREE_HOST=NONE)
+configure(Module Module)
+configure(Module StaticModule -DBUILD_SHARED_LIBS=OFF)
