@@ -29,9 +29,9 @@
  * several; but the bounds are around them, too, and the counts of points that are left out have
  * them. So, where pieces share a layer of points, mark it, as vtkGenerateGlobalIds does, or merge
  * points. Hidden points (HIDDENPOINT) are points like all others, and an array of marks without one
- * for each point marks none. Of composite data sets the blocks at one place are pieces of one, if all processes have
- * the same structure; otherwise, and where pieces are asked for in another way, each process makes
- * trees of its own points.
+ * for each point marks none. Of composite data sets the blocks at one place are pieces of one, if
+ * all processes have the same structure; otherwise, and where pieces are asked for in another way,
+ * each process makes trees of its own points.
  */
 
 #ifndef vtkHashedOctreeAlgorithm_h

@@ -2,6 +2,7 @@
 #include "vtkHashedOctreeFilter.h"
 
 #include "AlgorithmOptions.h"
+#include "DepthStatistics.h"
 #include "FieldValue.h"
 #include "NodeList.h"
 #include "OctreeCells.h"
@@ -10,7 +11,6 @@
 #include "OctreeTables.h"
 #include "PassFieldData.h"
 #include "PieceRequest.h"
-#include "StartDepths.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkHyperTreeGrid.h"

@@ -3,6 +3,7 @@
 
 #include "AdjacentSearch.h"
 #include "AlgorithmOptions.h"
+#include "DepthStatistics.h"
 #include "FieldValue.h"
 #include "InRadiusSearch.h"
 #include "OctreeCells.h"
@@ -10,7 +11,6 @@
 #include "PieceRequest.h"
 #include "RangeCount.h"
 #include "ResizeArray.h"
-#include "StartDepths.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"

@@ -258,7 +258,7 @@ void vtkHashedOctreePointLocator::Fill(Index& index)
       ThreadTeam::Run(threads, std::min(available, 1 + span.Count / PointsPerThread),
         [&](const Execution& execution) { build(span, execution); });
     });
-  index.Leaves = LeafNumbers<3>(index.GetOctree());
+  index.Leaves = LeafNumbers<3>(index.GetOctree(), EmptyOctants::Missing);
   this->ChooseStartDepths(index);
 }
 

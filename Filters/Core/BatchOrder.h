@@ -75,14 +75,11 @@ private:
   void Sort(const Grid<Dim>& grid, const Positions& positions, const Execution& execution)
   {
     Buffer<CodedPoint<Dim>> coded(this->Count);
-    execution.Part(0.0, 0.3).For(this->Count, Grain,
-      [&](std::size_t first, std::size_t last)
+    execution.Part(0.0, 0.3).ForEach(this->Count, Grain,
+      [&](std::size_t i)
       {
-        for (std::size_t i = first; i < last; ++i)
-        {
-          coded[i] = CodedPoint<Dim>(
-            grid.GetKey(GetPosition<Dim>(positions, this->First + i)), static_cast<PointIndex>(i));
-        }
+        coded[i] = CodedPoint<Dim>(
+          grid.GetKey(GetPosition<Dim>(positions, this->First + i)), static_cast<PointIndex>(i));
       });
     SortAlongMortonCurve(coded, PositionsPerCell, Key::MaxDepth, execution.Part(0.3, 1.0));
     this->Places = Buffer<PointIndex>(this->Count);

@@ -110,7 +110,7 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
     count.AddNode();
     if (!tree.IsRootInternal())
     {
-      return { MortonKey<Dim>::Root(), 0, startDepth == 0 ? SearchCase::Hit : SearchCase::Up,
+      return { MortonKey<Dim>::Root(), 0, GetSearchCase(0, startDepth),
         tree.GetNumberOfPoints() != 0 || reading == EmptyOctants::Leaves };
     }
     parent = table.Find(MortonKey<Dim>::Root().GetValue());

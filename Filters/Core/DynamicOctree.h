@@ -95,12 +95,7 @@ public:
   /** The root's block, where the root is internal. */
   std::uint32_t GetRootBlock() const
   {
-    return GetChildBlock(this->Blocks[AboveRoot], Key::Root().GetOctant());
-  }
-  /** Block of an internal child. O(1), no table access. */
-  static std::uint32_t GetChildBlock(const Block& block, unsigned octant)
-  {
-    return block.Children[octant];
+    return this->Blocks[AboveRoot].Children[Key::Root().GetOctant()];
   }
 
   /** Bytes of the tree itself: blocks, free ones too, and the table. */

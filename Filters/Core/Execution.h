@@ -75,10 +75,8 @@ public:
   /** The same on the calling thread alone. */
   Execution OnOneThread() const { return Execution(Execution().Threads, this->Report, this->Stop); }
 
-  /** Calls body on parts of [0, count), batch by batch, while progress moves from `from` to `to`.
-   */
-  void For(std::size_t count, std::size_t grain, const Body& body, double from = 0.0,
-    double to = 1.0) const
+  /** Calls body on parts of [0, count), batch by batch, with progress after each. */
+  void For(std::size_t count, std::size_t grain, const Body& body) const
   {
     // A call may start and join threads, which only reports make worth while.
     const std::size_t batch = this->Report ? grain * this->BatchGrains : count;
@@ -86,7 +84,7 @@ public:
     {
       const std::size_t last = std::min(count, first + batch);
       this->Threads(first, last, grain, body);
-      this->Tell(from + (to - from) * static_cast<double>(last) / static_cast<double>(count));
+      this->Tell(static_cast<double>(last) / static_cast<double>(count));
     }
   }
 
@@ -112,32 +110,21 @@ public:
 
   /** Calls function(chunk, first, last) for each chunk of [0, count), a chunk being a grain. */
   template <typename Function>
-  void ForChunks(std::size_t count, std::size_t chunkSize, const Function& function,
-    double from = 0.0, double to = 1.0) const
+  void ForChunks(std::size_t count, std::size_t chunkSize, const Function& function) const
   {
-    this->For(
-      GetNumberOfChunks(count, chunkSize), 1,
-      [&](std::size_t firstChunk, std::size_t lastChunk)
-      {
-        for (std::size_t chunk = firstChunk; chunk < lastChunk; ++chunk)
-        {
-          function(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize));
-        }
-      },
-      from, to);
+    this->ForEach(GetNumberOfChunks(count, chunkSize), 1,
+      [&](std::size_t chunk)
+      { function(chunk, chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize)); });
   }
 
   /** What function(first, last) returns for each chunk of [0, count), in their order. */
   template <typename Function>
-  auto MapChunks(std::size_t count, std::size_t chunkSize, const Function& function,
-    double from = 0.0, double to = 1.0) const
+  auto MapChunks(std::size_t count, std::size_t chunkSize, const Function& function) const
   {
     std::vector<decltype(function(count, count))> results(GetNumberOfChunks(count, chunkSize));
-    this->ForChunks(
-      count, chunkSize,
+    this->ForChunks(count, chunkSize,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
-      { results[chunk] = function(first, last); },
-      from, to);
+      { results[chunk] = function(first, last); });
     return results;
   }
 

@@ -31,18 +31,17 @@ void TouchPages(T* values, std::size_t size, const Execution& execution)
   // Where it begins in its first large page, from which bytes are counted.
   const std::size_t begin = reinterpret_cast<std::uintptr_t>(memory) % LargePageSize;
   const std::size_t end = begin + size * sizeof(T);
+  const Execution still = execution.Part(0.0, 0.0);
   for (std::size_t done = 0; done < end; done += slice)
   {
-    execution.ForChunks(
-      std::min(slice, end - done), LargePageSize,
+    still.ForChunks(std::min(slice, end - done), LargePageSize,
       [memory, begin, done](std::size_t, std::size_t first, std::size_t last)
       {
         for (std::size_t page = done + first; page < done + last; page += SmallPageSize)
         {
           memory[std::max(begin, page) - begin] = 0;
         }
-      },
-      0.0, 0.0);
+      });
   }
 }
 template <typename T>

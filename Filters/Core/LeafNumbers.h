@@ -22,11 +22,12 @@ public:
 
   /** O(internal nodes). Throws std::length_error where a PointIndex cannot number the leaves, which
    * only empty ones can make so many. */
-  explicit LeafNumbers(const Octree<Dim>& tree, EmptyOctants reading = EmptyOctants::Missing)
+  LeafNumbers(const Octree<Dim>& tree, EmptyOctants reading)
     : First(tree.GetNumberOfInternalNodes())
     , Reading(reading)
   {
-    if (tree.GetNumberOfLeaves(reading) > std::numeric_limits<PointIndex>::max())
+    if (reading == EmptyOctants::Leaves &&
+      tree.GetNumberOfLeaves() > std::numeric_limits<PointIndex>::max())
     {
       throw std::length_error(
         "The tree has more leaves than can be numbered; leave out empty ones.");

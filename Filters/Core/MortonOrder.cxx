@@ -244,8 +244,7 @@ private:
   int FindCommonDepth(const Point* points, std::size_t count)
   {
     const MortonKey<Dim> key = points[0].GetKey();
-    const auto differences = this->Threads.MapChunks(
-      count, ChunkSize,
+    const auto differences = this->Threads.Part(0.0, 0.0).MapChunks(count, ChunkSize,
       [&](std::size_t first, std::size_t last)
       {
         std::uint64_t here = 0;
@@ -254,8 +253,7 @@ private:
           here |= points[i].GetKey().GetValue() ^ key.GetValue();
         }
         return here;
-      },
-      0.0, 0.0);
+      });
     std::uint64_t all = 0;
     for (const std::uint64_t difference : differences)
     {
@@ -284,7 +282,7 @@ private:
   void ForChunks(std::size_t count, std::size_t chunkSize, const Function& function)
   {
     // Progress stands still here: how many partitions follow is known only after them.
-    this->Threads.ForChunks(count, chunkSize, function, 0.0, 0.0);
+    this->Threads.Part(0.0, 0.0).ForChunks(count, chunkSize, function);
   }
 
   /** Sorts ranges into Points, each on one thread; short ones share a task. */

@@ -36,7 +36,7 @@ Buffer<typename Octree<Dim>::Node> ListNodes(const Octree<Dim>& tree, NodeListOp
         }
       }
     };
-    execution.ForChunks(numberOfBlocks, chunkSize, body, from, to);
+    execution.Part(from, to).ForChunks(numberOfBlocks, chunkSize, body);
   };
 
   std::vector<std::size_t> counts(Execution::GetNumberOfChunks(numberOfBlocks, chunkSize), 0);

@@ -57,10 +57,9 @@ void Octree<Dim>::Build(
 }
 
 template <int Dim>
-std::size_t Octree<Dim>::GetNumberOfLeaves(EmptyOctants reading) const
+std::size_t Octree<Dim>::GetNumberOfLeaves() const
 {
-  const std::size_t all = GetTotal(this->Counts.Leaves);
-  return reading == EmptyOctants::Leaves ? all : all - this->GetNumberOfEmptyLeaves();
+  return GetTotal(this->Counts.Leaves);
 }
 
 template <int Dim>

@@ -145,12 +145,12 @@ public:
 
   std::size_t GetNumberOfPoints() const { return this->PointIds.GetSize(); }
   std::size_t GetNumberOfInternalNodes() const { return this->Blocks.GetSize(); }
-  /** Internal nodes and leaves; empty leaves count when they are read as leaves. */
-  std::size_t GetNumberOfNodes(EmptyOctants reading = EmptyOctants::Leaves) const
+  /** Internal nodes and leaves, empty ones too. */
+  std::size_t GetNumberOfNodes() const
   {
-    return this->GetNumberOfInternalNodes() + this->GetNumberOfLeaves(reading);
+    return this->GetNumberOfInternalNodes() + this->GetNumberOfLeaves();
   }
-  std::size_t GetNumberOfLeaves(EmptyOctants reading = EmptyOctants::Leaves) const;
+  std::size_t GetNumberOfLeaves() const; ///< Empty ones too.
   std::size_t GetNumberOfEmptyLeaves() const;
 
   /** Ids of the points in Morton order: leaf after leaf, in a leaf equal keys by id. See

@@ -3,7 +3,6 @@
 #define hashedoctree_PointBoxWalk_h
 
 #include "BlockSearch.h"
-#include "DirectSearch.h"
 #include "PointTree.h"
 
 #include <algorithm>

@@ -177,15 +177,13 @@ typename PointTree<Dim, Real>::CellBox PointTree<Dim, Real>::CopyLeaf(
   {
     return this->CopyPart(leaf, leaf, points);
   }
-  const auto boxes = execution.MapChunks(
-    count, MostPointsOfTask,
+  const auto boxes = execution.Part(1.0, 1.0).MapChunks(count, MostPointsOfTask,
     [&](std::size_t first, std::size_t last)
     {
       const PointRange part{ static_cast<PointIndex>(leaf.First + first),
         static_cast<PointIndex>(leaf.First + last) };
       return this->CopyPart(part, leaf, points);
-    },
-    1.0, 1.0);
+    });
   CellBox whole = CellBox::OfNone();
   for (const CellBox& box : boxes)
   {
@@ -322,14 +320,8 @@ void PointTree<Dim, Real>::CopyPoints(PointSpan<Dim, Real> points, const Executi
   std::vector<Subtree> subtrees;
   this->ListSubtrees(0, subtrees);
   const Execution alone;
-  execution.For(subtrees.size(), 1,
-    [&](std::size_t first, std::size_t last)
-    {
-      for (std::size_t i = first; i < last; ++i)
-      {
-        subtrees[i].Box = this->CopySubtree(subtrees[i].Block, points, alone);
-      }
-    });
+  execution.ForEach(subtrees.size(), 1,
+    [&](std::size_t i) { subtrees[i].Box = this->CopySubtree(subtrees[i].Block, points, alone); });
   std::size_t next = 0;
   this->CopyAbove(0, points, execution, subtrees, next);
 }
@@ -375,16 +367,8 @@ void PointTree<Dim, Real>::BuildNestedIn(
   }
   // The leaf's ids ascend, so points that the nested tree numbers in this order keep their order.
   Buffer<Real> own(Dim * count);
-  execution.ForChunks(
-    count, MostPointsOfTask,
-    [&](std::size_t, std::size_t chunkFirst, std::size_t last)
-    {
-      for (std::size_t i = chunkFirst; i < last; ++i)
-      {
-        std::copy_n(points[ids[i]], Dim, &own[Dim * i]);
-      }
-    },
-    0.0, 0.05);
+  execution.Part(0.0, 0.05).ForEach(count, MostPointsOfTask,
+    [&](std::size_t i) { std::copy_n(points[ids[i]], Dim, &own[Dim * i]); });
   const PointSpan<Dim, Real> span{ own.GetData(), count };
   const PointSelection<Dim> selection(span, {}, execution.Part(0.05, 0.1));
   this->NestedTrees.push_back({ leaf.FirstPoint,
@@ -398,14 +382,8 @@ template <int Dim, typename Real>
 void PointTree<Dim, Real>::TranslateIds(const PointIndex* ids, const Execution& execution)
 {
   Buffer<PointIndex> translated(this->GetNumberOfPoints());
-  execution.ForChunks(
-    translated.GetSize(), MostPointsOfTask,
-    [&](std::size_t, std::size_t first, std::size_t last)
-    {
-      std::transform(this->Ids + first, this->Ids + last, &translated[first],
-        [ids](PointIndex place) { return ids[place]; });
-    },
-    1.0, 1.0);
+  execution.Part(1.0, 1.0).ForEach(translated.GetSize(), MostPointsOfTask,
+    [&](std::size_t i) { translated[i] = ids[this->Ids[i]]; });
   this->OwnIds = std::move(translated);
   this->Ids = this->OwnIds.GetData();
   for (Nested& nested : this->NestedTrees)

@@ -3,8 +3,6 @@
 
 #include "LocatorSamples.h"
 
-#include <algorithm>
-
 namespace locator_benchmark
 {
 LocatorGroup::LocatorGroup(const LocatorOptions& options, const std::string& data, std::size_t size)

@@ -2,7 +2,7 @@
 #include "PaperBatch.h"
 
 #include "DirectBatch.h"
-#include "PaperSummary.h"
+#include "PaperFormat.h"
 
 #include <ostream>
 

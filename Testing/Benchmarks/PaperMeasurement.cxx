@@ -83,7 +83,6 @@ void DescribeTree(const Octree<3>& tree, PaperResults& results)
   results.Leaves = tree.GetNumberOfLeaves();
   results.DeepestDepth = tree.GetDeepestDepth();
   results.StartDepth = hashedoctree::GetMedianDepth(leaves);
-  results.RadiusOfSide = std::ldexp(1.0, -results.StartDepth);
   double sum = 0.0;
   double sum2 = 0.0;
   for (std::size_t depth = 0; depth < leaves.size(); ++depth)
@@ -183,7 +182,6 @@ void CheckAnswers(
 void MeasureSearches(const Peers& peers, const std::vector<float>& points, double radius,
   int repetitions, PaperResults& results)
 {
-  results.Searches = { results.Points, NumberOfNeighborSearches, NumberOfNeighborSearches };
   std::uint64_t sum = 0;
   for (std::size_t kind = 0; kind < NumberOfKinds; ++kind)
   {
@@ -202,7 +200,8 @@ void MeasureSearches(const Peers& peers, const std::vector<float>& points, doubl
             });
         });
     }
-    const std::vector<Spread> times = TimeInTurns(runs, results.Searches[kind], repetitions);
+    const std::size_t searches = kind == Direct ? results.Points : NumberOfNeighborSearches;
+    const std::vector<Spread> times = TimeInTurns(runs, searches, repetitions);
     std::copy(times.begin(), times.end(), results.Times[kind].begin());
   }
 }
@@ -226,7 +225,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   {
     peer->SetLeaves(leaves);
   }
-  const double radius = results.RadiusOfSide * trees.Ours.GetGrid().GetSide();
+  const double radius = trees.Ours.GetGrid().GetSide(results.StartDepth);
   CheckAnswers(peers, points, radius, results);
   MeasureSearches(peers, points, radius, repetitions, results);
   MeasureBatch(trees.Ours, points, repetitions, results);

@@ -123,16 +123,13 @@ struct PaperResults
   int DeepestDepth = 0;
   int StartDepth = 0;          ///< The median depth of the leaves.
   double DepthDeviation = 0.0; ///< Standard deviation of the depth of the leaves.
-  double RadiusOfSide = 0.0;   ///< Radius of the in-radius searches over the side of the root.
   std::array<std::size_t, NumberOfStructures> Bytes{};
   std::array<Spread, NumberOfStructures> Builds;
   Spread PaperOptimise; ///< Counting the leaves of each depth in the table, and their median.
   Spread OurOptimise;   ///< The median of the counts that the build has kept.
-  std::array<std::size_t, NumberOfKinds> Searches{};
   std::array<std::array<Spread, NumberOfPeers>, NumberOfKinds> Times;
   Spread SingleSearches; ///< Direct searches for all points, one at a time,
   Spread BatchSearches;  ///< and at once.
-  std::array<std::size_t, 3> WorkloadSearches{};
   WorkloadTimes PaperWorkloads;
   WorkloadTimes OurWorkloads;
   ModelCosts Costs{};

@@ -94,7 +94,6 @@ void MeasureWorkloads(
         });
     }
     const std::vector<Spread> times = TimeInTurns(runs, keys.size(), repetitions);
-    results.WorkloadSearches[row] = keys.size();
     for (std::size_t model = 0; model < 3; ++model)
     {
       results.PaperWorkloads[row][model] = times[2 * model];

@@ -58,7 +58,7 @@ private:
       if ((block.Internal >> octant & 1U) != 0)
       {
         EXPECT_TRUE(occupied);
-        this->Walk(node.GetChild(octant), DynamicOctree<Dim>::GetChildBlock(block, octant));
+        this->Walk(node.GetChild(octant), block.Children[octant]);
       }
       else
       {

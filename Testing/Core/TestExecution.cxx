@@ -59,16 +59,14 @@ TEST(TestExecution, ForChunksCallsForEachChunkOnce)
         told = fraction;
         return true;
       });
-    execution.ForChunks(
-      count, 100,
+    execution.ForChunks(count, 100,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
       {
         ++calls;
         chunks.at(chunk) = { first, last };
-      },
-      0.25, 0.5);
+      });
     EXPECT_EQ(calls, chunks.size());
-    EXPECT_EQ(told, count == 0 ? 0.0 : 0.5);
+    EXPECT_EQ(told, count == 0 ? 0.0 : 1.0);
     for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
     {
       ASSERT_EQ(chunks[chunk].first, chunk * 100);
@@ -102,7 +100,7 @@ TEST(TestExecution, ProgressRisesFromPartToPart)
   const Execution execution = progress.MakeExecution();
   const auto nothing = [](std::size_t, std::size_t) {};
   execution.Part(0.0, 0.25).For(10000, 10, nothing);
-  execution.Part(0.25, 1.0).Part(0.0, 1.0).For(10000, 10, nothing, 0.5, 1.0);
+  execution.Part(0.25, 1.0).Part(0.5, 1.0).For(10000, 10, nothing);
   progress.ExpectToRise(21);
   const std::vector<double>& told = progress.GetFractions();
   EXPECT_NEAR(*std::lower_bound(told.begin(), told.end(), 0.25), 0.25, 1e-12);

@@ -35,18 +35,3 @@ TYPED_TEST(TestLeafNumbers, AreThePlacesInTheListOfLeaves)
     }
   }
 }
-
-TYPED_TEST(TestLeafNumbers, CountTheLeavesWithPointsByThemselves)
-{
-  constexpr int dim = TypeParam::value;
-  const SampleTree<dim, double> made(
-    PointSample<dim, double>{ "uniform", MakeUniformPoints<dim, double>(300, 191) });
-  const LeafNumbers<dim> numbers(made.Tree);
-  const auto leaves = ListNodes(made.Tree, NodeListOptions{ false, false }, Execution());
-  ASSERT_GT(leaves.GetSize(), 100U);
-  for (std::size_t i = 0; i < leaves.GetSize(); ++i)
-  {
-    const auto leaf = FindLeaf(made.Tree, leaves[i].NodeKey.GetFirstAtMaxDepth(), 0);
-    ASSERT_EQ(numbers.Get(made.Tree, leaf), i);
-  }
-}

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodeTable.h"
 
-#include "MortonKey.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>

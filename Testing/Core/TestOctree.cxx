@@ -61,7 +61,7 @@ protected:
       occupiedNodes += expected.Ids.empty() ? 0 : 1;
       deepest = std::max(deepest, name.Depth);
     }
-    EXPECT_EQ(tree.GetNumberOfNodes(EmptyOctants::Missing), occupiedNodes);
+    EXPECT_EQ(tree.GetNumberOfNodes() - tree.GetNumberOfEmptyLeaves(), occupiedNodes);
     EXPECT_EQ(tree.GetDeepestDepth(), deepest);
   }
 };
@@ -164,7 +164,6 @@ TEST(TestOctreeFacts, EmptyTreeIsOneEmptyLeaf)
   EXPECT_EQ(tree.GetNumberOfNodes(), 1U);
   EXPECT_EQ(tree.GetNumberOfLeaves(), 1U);
   EXPECT_EQ(tree.GetNumberOfEmptyLeaves(), 1U);
-  EXPECT_EQ(tree.GetNumberOfNodes(EmptyOctants::Missing), 0U);
   EXPECT_EQ(tree.GetDeepestDepth(), 0);
   EXPECT_EQ(tree.GetTreeBytes(), 0U);
   EXPECT_TRUE(tree.GetRoot().IsEmpty());

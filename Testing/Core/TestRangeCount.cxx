@@ -6,7 +6,6 @@
 #include "Dimensions.h"
 #include "InRadiusSearch.h"
 
-#include <algorithm>
 #include <map>
 
 using namespace hashedoctree;

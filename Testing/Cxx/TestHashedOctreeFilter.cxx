@@ -153,7 +153,7 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
 
 TEST(TestHashedOctreeFilter, LeavesItsInputAlone)
 {
-  const auto input = MakePolyData(MakeUniformPoints<3, double>(100, 2));
+  const auto input = MakeUniform(100, 2);
   vtkNew<vtkPolyData> copy;
   copy->DeepCopy(input);
   TestedFilter filter;

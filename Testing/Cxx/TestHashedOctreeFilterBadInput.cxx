@@ -8,7 +8,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkNonOverlappingAMR.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
 

@@ -14,11 +14,6 @@
 
 namespace
 {
-vtkSmartPointer<vtkPolyData> MakeBlock(unsigned seed)
-{
-  return MakePolyData(MakeUniformPoints<3, double>(100, seed));
-}
-
 /** What the filter makes of a block by itself. */
 std::vector<vtkSmartPointer<vtkDataObject>> MakeOutputsOf(vtkDataObject* block)
 {
@@ -36,8 +31,8 @@ Composite* GetOutput(TestedFilter& filter, int port)
 
 TEST(TestHashedOctreeFilterComposite, EachBlockOfAMultiBlockHasItsTree)
 {
-  const auto first = MakeBlock(50);
-  const auto second = MakeBlock(51);
+  const auto first = MakeUniform(100, 50);
+  const auto second = MakeUniform(100, 51);
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
   vtkNew<vtkMultiBlockDataSet> inner;
@@ -87,7 +82,7 @@ TEST(TestHashedOctreeFilterComposite, BlocksWithoutCoordinatesAloneAreAnError)
 
 TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
 {
-  const auto block = MakeBlock(54);
+  const auto block = MakeUniform(100, 54);
   hashedoctree::AddFieldValue<vtkIntArray>(block->GetFieldData(), "Survey", 77);
   hashedoctree::AddFieldValue<vtkIntArray>(
     block->GetFieldData(), "StartDepth", 77); // As the output of the filter has one.
@@ -132,7 +127,7 @@ TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
 TEST(TestHashedOctreeFilterComposite, FieldDataWithoutNamesAreKeptOnce)
 {
   vtkNew<vtkMultiBlockDataSet> input;
-  input->SetBlock(0, MakeBlock(54));
+  input->SetBlock(0, MakeUniform(100, 54));
   vtkNew<vtkIntArray> unnamed;
   for (vtkDataObject* data : { static_cast<vtkDataObject*>(input), input->GetBlock(0) })
   {
@@ -160,8 +155,8 @@ TEST(TestHashedOctreeFilterComposite, FieldDataWithoutNamesAreKeptOnce)
 
 TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)
 {
-  const auto first = MakeBlock(52);
-  const auto second = MakeBlock(53);
+  const auto first = MakeUniform(100, 52);
+  const auto second = MakeUniform(100, 53);
   vtkNew<vtkPartitionedDataSet> input;
   input->SetPartition(0, first);
   input->SetPartition(1, second);
@@ -186,7 +181,7 @@ TEST(TestHashedOctreeFilterComposite, EachPartitionHasItsTree)
 
 TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
 {
-  const auto block = MakeBlock(54);
+  const auto block = MakeUniform(100, 54);
   vtkNew<vtkPartitionedDataSetCollection> input;
   input->SetPartition(0, 0, MakePolyData({}));
   input->SetPartition(2, 1, block);
@@ -218,7 +213,7 @@ TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
 
 TEST(TestHashedOctreeFilterComposite, OutputsFollowTheKindOfTheInput)
 {
-  const auto block = MakeBlock(55);
+  const auto block = MakeUniform(100, 55);
   vtkNew<vtkMultiBlockDataSet> composite;
   composite->SetBlock(0, block);
   vtkNew<vtkPartitionedDataSetCollection> collection;
@@ -263,14 +258,13 @@ TEST(TestHashedOctreeFilterComposite, WarnsOnceForAllBlocks)
   TestedFilter filter;
   filter->SetInputData(input);
   filter.UpdateWithoutErrors();
-  ASSERT_EQ(filter.Warnings.size(), 1U);
-  EXPECT_NE(filter.Warnings[0].find("3 of 6 points"), std::string::npos) << filter.Warnings[0];
+  filter.ExpectWarning("3 of 6 points");
 }
 
 TEST(TestHashedOctreeFilterComposite, NoPointsInAnyBlockMakeEmptyBlocks)
 {
   vtkNew<vtkMultiBlockDataSet> good;
-  good->SetBlock(1, MakeBlock(56));
+  good->SetBlock(1, MakeUniform(100, 56));
   vtkNew<vtkMultiBlockDataSet> bad;
   bad->SetBlock(0, MakePolyData({}));
   bad->SetBlock(1, nullptr);

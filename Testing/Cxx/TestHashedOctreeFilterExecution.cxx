@@ -4,7 +4,6 @@
 #include "Sanitized.h"
 #include "TestedFilter.h"
 
-#include "vtkFloatArray.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -26,17 +25,9 @@ void WithThreads(const char* backend, int threads, const std::function<void()>& 
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, backend, false }, function);
 }
 
-/** Uniform points as floats, in the array that the filter reads. */
 vtkSmartPointer<vtkPolyData> MakeManyPoints(std::size_t count, unsigned seed)
 {
-  const std::vector<float> coordinates = MakeUniformPoints<3, float>(count, seed);
-  vtkNew<vtkFloatArray> array;
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  std::copy(coordinates.begin(), coordinates.end(), array->GetPointer(0));
-  auto data = MakePolyData({});
-  data->GetPoints()->SetData(array);
-  return data;
+  return MakePolyData(MakeUniformPoints<3, float>(count, seed));
 }
 
 /** Processor time of all threads so far, in milliseconds: unlike the time of day, it does not grow

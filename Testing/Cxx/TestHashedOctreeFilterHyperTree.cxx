@@ -15,7 +15,6 @@
 #include "vtkHyperTreeGridNonOrientedGeometryCursor.h"
 #include "vtkHyperTreeGridToUnstructuredGrid.h"
 #include "vtkMultiBlockDataSet.h"
-#include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkSMPTools.h"
 
@@ -241,7 +240,7 @@ TEST(TestHashedOctreeFilterHyperTree, IsTheSameByAnyNumberOfThreads)
 
 TEST(TestHashedOctreeFilterHyperTree, EachBlockHasItsGrid)
 {
-  const auto block = MakePolyData(MakeUniformPoints<3, double>(100, 4));
+  const auto block = MakeUniform(100, 4);
   TestedFilter alone;
   alone->SetInputData(block);
   const vtkIdType nodes = GetNumberOfNodes(UpdateGrid(alone));

@@ -3,7 +3,6 @@
 #include "PointSamples.h"
 #include "SameOutputs.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"

@@ -305,7 +305,7 @@ TEST(TestHashedOctreeFilterQuadtrees, EachBlockHasItsOwnDimension)
 {
   const auto flat =
     MakePolyData(PutInSpace(MakeUniformPoints<2, double>(90, 66), AllPlanes[1], Across));
-  const auto full = MakePolyData(MakeUniformPoints<3, double>(90, 67));
+  const auto full = MakeUniform(90, 67);
   vtkNew<vtkMultiBlockDataSet> input;
   input->SetBlock(0, flat);
   input->SetBlock(1, full);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PointSamples.h"
 #include "SameOutputs.h"
 #include "StopAt.h"
 #include "TestedLocateFilter.h"

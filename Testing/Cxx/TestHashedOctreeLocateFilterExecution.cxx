@@ -6,17 +6,9 @@
 
 #include "vtkSMPTools.h"
 
-namespace
-{
-vtkSmartPointer<vtkPolyData> MakeMany(unsigned seed)
-{
-  return MakePolyData(MakeUniformPoints<3, double>(100000, seed));
-}
-}
-
 TEST(TestHashedOctreeLocateFilterExecution, ProgressMovesThroughTheWholeRun)
 {
-  TestedLocateFilter filter(MakeMany(360), MakeMany(361));
+  TestedLocateFilter filter(MakeUniform(100000, 360), MakeUniform(100000, 361));
   filter.Update();
   filter.ExpectProgressInSteps(0.25);
 }
@@ -28,7 +20,7 @@ TEST(TestHashedOctreeLocateFilterExecution, ProgressDoesNotFallWhereCoordinatesA
   {
     TestedLocateFilter filter;
     filter->SetInputData(copied, integers);
-    filter->SetInputData(1 - copied, MakeMany(367));
+    filter->SetInputData(1 - copied, MakeUniform(100000, 367));
     filter.Update();
     filter.ExpectProgressInSteps(0.25);
   }
@@ -36,7 +28,7 @@ TEST(TestHashedOctreeLocateFilterExecution, ProgressDoesNotFallWhereCoordinatesA
 
 TEST(TestHashedOctreeLocateFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUpdateSucceeds)
 {
-  TestedLocateFilter filter(MakeMany(362), MakeMany(363));
+  TestedLocateFilter filter(MakeUniform(100000, 362), MakeUniform(100000, 363));
   for (const double fraction : { 0.0, 0.1, 0.25, 0.4, 0.5, 0.8 })
   {
     SCOPED_TRACE(fraction);
@@ -57,8 +49,8 @@ TEST(TestHashedOctreeLocateFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUp
 
 TEST(TestHashedOctreeLocateFilterExecution, AnyNumberOfThreadsGivesTheSame)
 {
-  const auto points = MakeMany(364);
-  const auto queries = MakeMany(365);
+  const auto points = MakeUniform(100000, 364);
+  const auto queries = MakeUniform(100000, 365);
   TestedLocateFilter expected(points, queries);
   vtkSMPTools::LocalScope(
     vtkSMPTools::Config{ 1, "Sequential", false }, [&expected] { expected.Update(); });

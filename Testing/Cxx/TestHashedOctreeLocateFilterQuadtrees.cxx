@@ -162,7 +162,7 @@ TEST(TestHashedOctreeLocateFilterQuadtrees, BlocksOfBothDimensionsAreSearched)
 {
   const auto flat =
     MakePolyData(PutInSpace(MakeUniformPoints<2, double>(60, 347), AllPlanes[1], Across));
-  const auto full = MakePolyData(MakeUniformPoints<3, double>(60, 348));
+  const auto full = MakeUniform(60, 348);
   const auto queries = MakePolyData(MakeQueries(40, 349));
   vtkNew<vtkMultiBlockDataSet> input;
   input->SetBlock(0, flat);

@@ -45,7 +45,7 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, NoPointsHaveNoNeighbors)
   filter->SetInputData(MakePolyData({ NotANumber, 0, 0 }));
   filter.UpdateWithoutErrors();
   filter.ExpectWarning("1 of 1 points");
-  filter.ExpectEmptyOutput();
+  filter.ExpectEmptyOutputs();
 }
 
 TEST(TestHashedOctreeNeighborsFilterBadInput, AnEmptyPieceIsNoError)
@@ -55,11 +55,11 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, AnEmptyPieceIsNoError)
   filter->SetLeafKey(8);
   filter->UpdatePiece(1, 4, 0);
   EXPECT_EQ(filter.Errors, std::vector<std::string>());
-  filter.ExpectEmptyOutput();
+  filter.ExpectEmptyOutputs();
   filter->SetInputData(MakePolyData({ 1, 2, 3 }));
   filter->UpdatePiece(1, 4, 0);
   EXPECT_EQ(filter.Errors, std::vector<std::string>()) << "another piece may have the leaf";
-  filter.ExpectEmptyOutput();
+  filter.ExpectEmptyOutputs();
 }
 
 TEST(TestHashedOctreeNeighborsFilterBadInput, PointsThatAreNotFiniteAreSkippedWithOneWarning)
@@ -138,7 +138,7 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, AnEmptyCellIsNoLeafOfASparseTree)
   filter->SetCenter(0.1, 0.1, 0.9);
   filter.Update();
   filter.ExpectWarning("empty cell, where");
-  filter.ExpectEmptyOutput();
+  filter.ExpectEmptyOutputs();
   filter->IncludeEmptyLeavesOn();
   filter.Update();
   EXPECT_EQ(filter.GetCells()->GetNumberOfCells(), 8);

@@ -55,7 +55,7 @@ TEST(TestHashedOctreeNeighborsFilterExecution, EachBlockHasItsQueryLeaf)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, MakePolyData(first));
   blocks->SetBlock(1, vtkSmartPointer<vtkImageData>::New());
-  blocks->SetBlock(2, MakePolyData(MakeUniformPoints<3, double>(60, 92)));
+  blocks->SetBlock(2, MakeUniform(60, 92));
   TestedNeighborsFilter filter;
   filter->SetInputData(blocks);
   filter->SetCenter(first[0], first[1], first[2]);
@@ -158,7 +158,7 @@ TEST(TestHashedOctreeNeighborsFilterExecution, AnAbortLeavesAnEmptyOutputAndALat
     const StopAt stop(filter.GetFilter(), fraction);
     filter->Modified();
     filter.UpdateWithoutErrors();
-    filter.ExpectEmptyOutput();
+    filter.ExpectEmptyOutputs();
   }
   filter->SetAbortExecute(0);
   filter->Modified();

@@ -165,7 +165,7 @@ TEST(TestHashedOctreeNeighborsFilterQuadtrees, BlocksOfBothDimensionsAreSearched
   vtkNew<vtkMultiBlockDataSet> input;
   input->SetBlock(
     0, MakePolyData(PutInSpace(MakeUniformPoints<2, double>(60, 100), AllPlanes[0], 0.5)));
-  input->SetBlock(1, MakePolyData(MakeUniformPoints<3, double>(60, 101)));
+  input->SetBlock(1, MakeUniform(60, 101));
   TestedNeighborsFilter filter;
   filter->SetInputData(input);
   filter->SetCenter(0.5, 0.5, 0.5);

@@ -5,7 +5,6 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkStructuredGrid.h"

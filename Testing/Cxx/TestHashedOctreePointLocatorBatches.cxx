@@ -2,7 +2,6 @@
 #include "PointSamples.h"
 #include "TestedLocator.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -162,7 +161,7 @@ TEST(TestHashedOctreePointLocatorBatches, FindTheSameFromAllStartDepths)
 
 TEST(TestHashedOctreePointLocatorBatches, FewerPointsThanAskedFor)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(3, 182)));
+  TestedLocator locator(MakeUniform(3, 182));
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
     locator, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
 }
@@ -172,7 +171,7 @@ TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
   TestedLocator nothing;
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
     nothing, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(30, 182)));
+  TestedLocator locator(MakeUniform(30, 182));
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(locator, queries));
@@ -186,7 +185,7 @@ TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
 
 TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(30, 182)));
+  TestedLocator locator(MakeUniform(30, 182));
   vtkNew<vtkDoubleArray> pairs;
   pairs->SetNumberOfComponents(2);
   Outputs outputs;

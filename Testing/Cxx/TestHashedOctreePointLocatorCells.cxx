@@ -135,7 +135,7 @@ TEST(TestHashedOctreePointLocatorCells, TheDataSetItselfMayTakeThem)
 {
   for (const bool isItsLocator : { false, true })
   {
-    const auto cloud = MakePolyData(MakeUniformPoints<3, double>(500, 56));
+    const auto cloud = MakeUniform(500, 56);
     TestedLocator locator(cloud);
     vtkNew<vtkPolyData> expected;
     locator->GenerateRepresentation(-1, expected);
@@ -183,7 +183,7 @@ TEST(TestHashedOctreePointLocatorCells, OnePointHasARoot)
 
 TEST(TestHashedOctreePointLocatorCells, ShownBySpatialRepresentationFilter)
 {
-  const auto cloud = MakePolyData(MakeUniformPoints<3, double>(500, 55));
+  const auto cloud = MakeUniform(500, 55);
   vtkNew<vtkHashedOctreePointLocator> locator;
   vtkNew<vtkSpatialRepresentationFilter> filter;
   filter->SetInputData(cloud);

@@ -78,7 +78,7 @@ TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
 
 TEST(TestHashedOctreePointLocatorLeaves, LargerSearchesCostMore)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 193)));
+  TestedLocator locator(MakeUniform(20000, 193));
   locator->SetMaxPointsPerLeaf(4);
   const double x[3] = { 0.4, 0.6, 0.5 };
   EXPECT_EQ(locator->GetClosestNPointsCost(0, x), 0);

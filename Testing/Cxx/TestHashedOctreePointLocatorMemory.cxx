@@ -35,14 +35,6 @@ private:
   MemoryLimit Limit{ 0 };
 };
 
-/** There must have been one error, with these words. */
-void ExpectError(TestedLocator& locator, const std::string& words)
-{
-  ASSERT_EQ(locator.Errors.size(), 1U);
-  EXPECT_NE(locator.Errors[0].find(words), std::string::npos) << locator.Errors[0];
-  locator.Errors.clear();
-}
-
 /** Tests of this kind; a sanitizer reserves more addresses than any limit here. */
 class TestHashedOctreePointLocatorMemory : public ::testing::Test
 {
@@ -60,7 +52,7 @@ protected:
 
 TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(100000, 261)));
+  TestedLocator locator(MakeUniform(100000, 261));
   locator->SetMaxPointsPerLeaf(1);
   locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
   const double x[3] = { 0.5, 0.5, 0.5 };
@@ -78,7 +70,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
       break;
     }
     ++failures;
-    ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for the index"));
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for the index"));
     ASSERT_NO_FATAL_FAILURE(locator.ExpectToFindNothing());
     ASSERT_EQ(locator->GetLeafId(x), -1);
     ASSERT_EQ(locator->GetHitCost(x), 0);
@@ -98,7 +90,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
 
 TEST_F(TestHashedOctreePointLocatorMemory, AQueryThatFindsTooMuchFindsNothing)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(1000000, 264)));
+  TestedLocator locator(MakeUniform(1000000, 264));
   locator->BuildLocator();
   const double x[3] = { 0.5, 0.5, 0.5 };
   const double box[6] = { -9, 9, -9, 9, -9, 9 };
@@ -131,14 +123,14 @@ TEST_F(TestHashedOctreePointLocatorMemory, AQueryThatFindsTooMuchFindsNothing)
       const NoMemory noMemory;
       EXPECT_EQ(query(found), 0);
     }
-    ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the query finds"));
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for what the query finds"));
     EXPECT_GT(query(found), 0);
   }
 }
 
 TEST_F(TestHashedOctreePointLocatorMemory, AListThatCouldNotGrowIsOfUseAgain)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(60000, 267)));
+  TestedLocator locator(MakeUniform(60000, 267));
   const double x[3] = { 0.5, 0.5, 0.5 };
   vtkNew<vtkIdList> list;
   list->InsertNextId(7);
@@ -150,7 +142,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, AListThatCouldNotGrowIsOfUseAgain)
     const NoMemory none;
     locator->FindPointsWithinRadius(9.0, x, list);
   }
-  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory"));
+  ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory"));
   EXPECT_EQ(list->GetNumberOfIds(), 0);
   locator->FindClosestNPoints(5, x, list);
   EXPECT_EQ(list->GetNumberOfIds(), 5);
@@ -158,7 +150,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, AListThatCouldNotGrowIsOfUseAgain)
 
 TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsTheModelStays)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 263)));
+  TestedLocator locator(MakeUniform(20000, 263));
   locator->SetMaxPointsPerLeaf(1);
   locator->SetStartDepthModel(vtkHashedOctreePointLocator::Root);
   const double x[3] = { 0.5, 0.5, 0.5 };
@@ -168,7 +160,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsTheMode
     const NoMemory noMemory;
     locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
   }
-  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for local start depths"));
+  ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for local start depths"));
   EXPECT_EQ(locator->GetStartDepthModel(), vtkHashedOctreePointLocator::Root);
   EXPECT_EQ(locator->GetHitCost(x), costOfRoot);
   EXPECT_EQ(locator->GetMTime(), before);
@@ -178,7 +170,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, WithoutRoomForLocalStartDepthsTheMode
 
 TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(20000, 265)));
+  TestedLocator locator(MakeUniform(20000, 265));
   locator->SetMaxPointsPerLeaf(1);
   locator->BuildLocator();
   vtkSMPTools::SetBackend("Sequential");
@@ -189,13 +181,13 @@ TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
     const NoMemory noMemory;
     locator->GenerateRepresentation(-1, boxes);
   }
-  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for the boxes"));
+  ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for the boxes"));
   EXPECT_EQ(boxes->GetNumberOfCells(), 0);
 }
 
 TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatAsksForTooMuchIsEmpty)
 {
-  TestedLocator locator(MakePolyData(MakeUniformPoints<3, double>(10, 266)));
+  TestedLocator locator(MakeUniform(10, 266));
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
   queries->SetNumberOfTuples(100000);
@@ -206,7 +198,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatAsksForTooMuchIsEmpty)
     const MemoryLimit limit(100 * Megabyte); // The ids alone take eight times as much.
     EXPECT_FALSE(locator->FindClosestNPoints(1000, queries, ids, dist2));
   }
-  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the batch finds"));
+  ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for what the batch finds"));
   EXPECT_EQ(ids->GetNumberOfTuples(), 0);
   EXPECT_EQ(dist2->GetNumberOfTuples(), 0);
 }
@@ -227,7 +219,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABatchWhoseSearchesFailIsEmpty)
     const MemoryLimit limit(70 * Megabyte);
     EXPECT_FALSE(locator->FindClosestNPoints(count, queries, ids, dist2));
   }
-  ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the batch finds"));
+  ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for what the batch finds"));
   for (vtkDataArray* output : std::initializer_list<vtkDataArray*>{ ids, dist2 })
   {
     EXPECT_EQ(output->GetNumberOfTuples(), 0);
@@ -260,7 +252,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABatchThatFindsTooMuchIsEmpty)
       const MemoryLimit limit(250 * Megabyte);
       EXPECT_FALSE(locator->FindPointsWithinRadius(10.0, queries, offsets, ids, dist2));
     }
-    ASSERT_NO_FATAL_FAILURE(ExpectError(locator, "not enough memory for what the batch finds"));
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for what the batch finds"));
     EXPECT_EQ(offsets->GetNumberOfValues(), 0);
     EXPECT_EQ(ids->GetNumberOfValues(), 0);
     EXPECT_EQ(dist2->GetNumberOfValues(), 0);

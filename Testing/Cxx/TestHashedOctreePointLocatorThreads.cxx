@@ -113,7 +113,7 @@ TEST(TestHashedOctreePointLocatorThreads, ManyThreadsGetTheAnswersOfOne)
 
 TEST(TestHashedOctreePointLocatorThreads, QueriesInsideVtkSMPTools)
 {
-  const auto cloud = MakePolyData(MakeUniformPoints<3, double>(20000, 43));
+  const auto cloud = MakeUniform(20000, 43);
   TestedLocator locator(cloud);
   locator->BuildLocator();
   vtkSMPTools::SetBackend("STDThread");

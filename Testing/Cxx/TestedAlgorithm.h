@@ -44,6 +44,7 @@ public:
   }
   TestedAlgorithm(const TestedAlgorithm&) = delete;
   void operator=(const TestedAlgorithm&) = delete;
+  virtual ~TestedAlgorithm() = default;
 
   Algorithm* operator->() { return this->Filter; }
   Algorithm* GetFilter() { return this->Filter; }
@@ -67,6 +68,19 @@ public:
   {
     this->UpdateWithoutErrors();
     EXPECT_EQ(this->Warnings, std::vector<std::string>());
+  }
+  virtual void ExpectEmptyOutputs() = 0;
+  /** Runs it, and expects empty outputs without a word. */
+  void UpdateToNothing()
+  {
+    this->UpdateSilently();
+    this->ExpectEmptyOutputs();
+  }
+  /** Runs it with what it must refuse: with empty outputs, and one error that says `words`. */
+  void UpdateInError(const std::string& words)
+  {
+    this->UpdateExpectingError(words);
+    this->ExpectEmptyOutputs();
   }
   /** Runs it for a piece of an output. */
   void UpdatePiece(int port, int piece, int numberOfPieces)

@@ -29,19 +29,7 @@ public:
     this->UpdateWithoutErrors();
     this->ExpectThreeOutputs();
   }
-  /** Runs it, and expects empty outputs without a word. */
-  void UpdateToNothing()
-  {
-    this->UpdateSilently();
-    this->ExpectEmptyOutputs();
-  }
-  /** Update() of an input that the filter must refuse, with one error that says `words`. */
-  void UpdateInError(const std::string& words)
-  {
-    this->UpdateExpectingError(words);
-    this->ExpectEmptyOutputs();
-  }
-  void ExpectEmptyOutputs()
+  void ExpectEmptyOutputs() override
   {
     this->ExpectThreeOutputs();
     for (int port = 0; port < this->Filter->GetNumberOfOutputPorts(); ++port)

@@ -71,7 +71,7 @@ public:
     ASSERT_NE(this->GetLocated(), nullptr);
     ASSERT_NE(this->GetTable(), nullptr);
   }
-  void ExpectEmptyOutputs()
+  void ExpectEmptyOutputs() override
   {
     ASSERT_NE(this->GetLocated(), nullptr);
     EXPECT_EQ(this->GetLocated()->GetNumberOfPoints(), 0);
@@ -79,12 +79,6 @@ public:
     EXPECT_EQ(this->GetLocated()->GetFieldData()->GetNumberOfArrays(), 0);
     ASSERT_NE(this->GetTable(), nullptr);
     EXPECT_EQ(this->GetTable()->GetNumberOfColumns(), 0);
-  }
-  /** Update() of what the filter must refuse, with one error that says `words`. */
-  void UpdateInError(const std::string& words)
-  {
-    this->UpdateExpectingError(words);
-    this->ExpectEmptyOutputs();
   }
 };
 

@@ -45,6 +45,13 @@ public:
   vtkHashedOctreePointLocator* operator->() { return this->Locator; }
   vtkHashedOctreePointLocator* Get() { return this->Locator; }
 
+  /** There must have been one error, with these words. */
+  void ExpectError(const std::string& words)
+  {
+    ASSERT_EQ(this->Errors.size(), 1U);
+    EXPECT_NE(this->Errors[0].find(words), std::string::npos) << this->Errors[0];
+    this->Errors.clear();
+  }
   /** There must have been one warning, about this many points that are not finite. */
   void ExpectWarningOfSkippedPoints(std::size_t skipped)
   {

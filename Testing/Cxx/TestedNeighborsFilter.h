@@ -42,25 +42,13 @@ public:
     this->UpdateWithoutErrors();
     ASSERT_NE(this->GetCells(), nullptr);
   }
-  void ExpectEmptyOutput()
+  void ExpectEmptyOutputs() override
   {
     ASSERT_NE(this->GetCells(), nullptr);
     EXPECT_EQ(this->GetCells()->GetNumberOfCells(), 0);
     EXPECT_EQ(this->GetCells()->GetNumberOfPoints(), 0);
     EXPECT_EQ(this->GetCells()->GetCellData()->GetNumberOfArrays(), 0);
     EXPECT_EQ(this->GetCells()->GetFieldData()->GetNumberOfArrays(), 0);
-  }
-  /** Runs it, and expects an empty output without a word. */
-  void UpdateToNothing()
-  {
-    this->UpdateSilently();
-    this->ExpectEmptyOutput();
-  }
-  /** Update() of what the filter must refuse, with one error that says `words`. */
-  void UpdateInError(const std::string& words)
-  {
-    this->UpdateExpectingError(words);
-    this->ExpectEmptyOutput();
   }
 };
 

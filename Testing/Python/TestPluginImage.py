@@ -1,16 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Octree cells as ParaView shows them by default: leaves as boxes, coloured by depth."""
-import sys
+import octreetesting
+from paraview import simple
 
-import octreetesting  # loads the plugin
-from paraview import simple, smtesting
-
-smtesting.ProcessCommandLineArguments()
-view = simple.CreateView("RenderView")
-view.ViewSize = [300, 300]
-view.OrientationAxesVisibility = 0
-view.UseColorPaletteForBackground = 0
-view.Background = [1.0, 1.0, 1.0]
+view = octreetesting.white_view(300, 300)
 
 sphere = simple.Sphere(ThetaResolution=32, PhiResolution=32)
 octree = simple.HashedOctree(Input=sphere)
@@ -23,5 +16,4 @@ view.CameraPosition = [2.0, 1.5, 1.8]
 view.CameraFocalPoint = [0.0, 0.0, 0.0]
 view.CameraViewUp = [0.0, 0.0, 1.0]
 simple.Render(view)
-if not smtesting.DoRegressionTesting(view.SMProxy):
-    sys.exit("The picture differs from the baseline.")
+octreetesting.compare_with_baseline(view)

@@ -2,22 +2,14 @@
 """The leaves around a leaf, coloured by case as in the paper's Figures 5 and 6: those that touch it,
 and those in a radius. The points lie in a plane, so that the tree is a quadtree; it is seen from
 below."""
-import sys
-
 import octreetesting
-from paraview import simple, smtesting
+from paraview import simple
 
-SIZE = [1000, 430]
 GREY, DARK, WHITE = [0.6] * 3, [0.15] * 3, [1.0] * 3
 CASES = [("Query leaf", [0.2, 0.2, 0.2]), ("Same depth", [0.35, 0.62, 0.88]),
          ("Descended", [0.97, 0.8, 0.3]), ("Above", [0.88, 0.45, 0.35])]
 QUERY, RADIUS = [-0.68, 0.45, 0.0], 0.3  # where all cases occur
-smtesting.ProcessCommandLineArguments()
-view = simple.CreateView("RenderView")
-view.ViewSize = SIZE
-view.OrientationAxesVisibility = 0
-view.UseColorPaletteForBackground = 0
-view.Background = WHITE
+view = octreetesting.white_view(1000, 430)
 
 colors = simple.GetColorTransferFunction("Case")
 colors.InterpretValuesAsCategories = 1
@@ -76,5 +68,4 @@ view.CameraPosition = [-0.4, 0.0, -9.0]
 view.CameraFocalPoint = [-0.4, 0.0, 0.0]
 view.CameraViewUp = [0.0, 1.0, 0.0]
 simple.Render(view)
-if not smtesting.DoRegressionTesting(view.SMProxy):
-    sys.exit("The picture differs from the baseline.")
+octreetesting.compare_with_baseline(view)

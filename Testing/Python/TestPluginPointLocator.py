@@ -23,25 +23,8 @@ while not iterator.IsAtEnd():
 assert names == set(PROPERTIES), names
 
 for name in PROPERTIES:
-    locator = vtkHashedOctreePointLocator()
-    property_ = proxy.GetProperty(name)
-    assert property_.GetElement(0) == getattr(locator, "Get" + name)(), name
-    text = property_.GetDocumentation().GetDescription()
-    assert text and len(text.strip()) > 20, name
-    if name in ENUMERATIONS:
-        domain = property_.FindDomain("vtkSMEnumerationDomain")
-        entries = {domain.GetEntryText(i): domain.GetEntryValue(i)
-                   for i in range(domain.GetNumberOfEntries())}
-        assert entries == {text: getattr(vtkHashedOctreePointLocator, text)
-                           for text in ENUMERATIONS[name]}, (name, entries)
-        continue
-    # What the domain does not allow, the class clamps.
-    domain = property_.FindDomain("vtkSMIntRangeDomain")
-    for exists, limit, beyond in ((domain.GetMinimumExists(0), domain.GetMinimum(0), -2**31),
-                                  (domain.GetMaximumExists(0), domain.GetMaximum(0), 2**31 - 1)):
-        getattr(locator, "Set" + name)(beyond)
-        value = getattr(locator, "Get" + name)()
-        assert value == (limit if exists else beyond), (name, value)
+    octreetesting.check_property(proxy.GetProperty(name), vtkHashedOctreePointLocator(), name,
+                                 ENUMERATIONS.get(name))
 
 # All interpolators offer it, after ParaView's own, which stays the default.
 wavelet = simple.Wavelet(WholeExtent=[-5, 5] * 3)

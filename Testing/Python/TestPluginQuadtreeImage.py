@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The quadtree of points in a plane, a spiral, as ParaView shows it: squares coloured by depth."""
-import sys
-
 import numpy
 import octreetesting
-from paraview import servermanager, simple, smtesting
+from paraview import servermanager, simple
 from vtk.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_PIXEL, vtkCellArray, vtkPolyData
@@ -32,12 +30,7 @@ def make_spiral():
     return source
 
 
-smtesting.ProcessCommandLineArguments()
-view = simple.CreateView("RenderView")
-view.ViewSize = [640, 540]
-view.OrientationAxesVisibility = 0
-view.UseColorPaletteForBackground = 0
-view.Background = WHITE
+view = octreetesting.white_view(640, 540)
 
 spiral = make_spiral()
 octree = simple.HashedOctree(Input=spiral, IncludeEmptyLeaves=1)
@@ -86,5 +79,4 @@ view.CameraPosition = [middle[0], middle[1], 9.0]
 view.CameraFocalPoint = middle
 view.CameraViewUp = [0.0, 1.0, 0.0]
 simple.Render(view)
-if not smtesting.DoRegressionTesting(view.SMProxy):
-    sys.exit("The picture differs from the baseline.")
+octreetesting.compare_with_baseline(view)

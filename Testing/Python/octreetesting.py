@@ -4,7 +4,7 @@ loads the plugin."""
 import os
 import sys
 
-from paraview import servermanager, simple
+from paraview import servermanager, simple, smtesting
 from paraview.modules.vtkRemotingCore import vtkRemotingCoreConfiguration
 from vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonExecutionModel import vtkDataObjectAlgorithm
@@ -23,6 +23,23 @@ ENUMERATIONS = {
     "FrequencyModel": ["Leaves", "Points", "Grid"],
     "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
 }
+
+
+def white_view(width, height):
+    """A render view for pictures."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [width, height]
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1.0, 1.0, 1.0]
+    return view
+
+
+def compare_with_baseline(view):
+    """Ends the test where the view does not look like the picture -V."""
+    smtesting.ProcessCommandLineArguments()
+    if not smtesting.DoRegressionTesting(view.SMProxy):
+        sys.exit("The picture differs from the baseline.")
 
 
 def argument(option):
@@ -107,11 +124,12 @@ def check_properties(proxy, class_, enumerations=None, inputs=("Input",)):
     # Not through simple, where domains bring defaults of their own.
     fresh = servermanager.ProxyManager().NewProxy("filters", proxy.SMProxy.GetXMLName())
     for name in sorted(names):
-        _check_property(fresh.GetProperty(name), class_(), name, enumerations.get(name))
+        check_property(fresh.GetProperty(name), class_(), name, enumerations.get(name))
     return names
 
 
-def _check_property(property_, filter_, name, enumeration):
+def check_property(property_, filter_, name, enumeration):
+    """A property of a proxy is documented and has the default, range and entries of the class."""
     default = value_of(filter_, name)
     assert elements(property_) == default, (name, elements(property_), default)
     text = property_.GetDocumentation().GetDescription()
