@@ -5,15 +5,13 @@ import os
 import sys
 
 import numpy as np
-import octreetesting
+import octreetesting  # first, which puts the demo on the path
+import demo
+import matplotlib.pyplot as plt
 from vtkmodules.numpy_interface.dataset_adapter import numpyTovtkDataArray
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-sys.path.insert(0, os.path.join(octreetesting.argument("-D"), "..", "Plugin", "Demo"))
-import demo
-import matplotlib.pyplot as plt
 
 folder = octreetesting.argument("-T")
 PICTURES = "octree-depth.png", "octree-hitcost.png", "depth-histogram.png", "cost-curves.png"

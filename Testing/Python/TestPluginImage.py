@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Octree cells as ParaView shows them by default: leaves as boxes, coloured by depth."""
 import octreetesting
+from demo import white_view
 from paraview import simple
 
-view = octreetesting.white_view(300, 300)
+view = white_view(300, 300)
 
 sphere = simple.Sphere(ThetaResolution=32, PhiResolution=32)
 octree = simple.HashedOctree(Input=sphere)

@@ -3,13 +3,14 @@
 and those in a radius. The points lie in a plane, so that the tree is a quadtree; it is seen from
 below."""
 import octreetesting
+from demo import white_view
 from paraview import simple
 
 GREY, DARK, WHITE = [0.6] * 3, [0.15] * 3, [1.0] * 3
 CASES = [("Query leaf", [0.2, 0.2, 0.2]), ("Same depth", [0.35, 0.62, 0.88]),
          ("Descended", [0.97, 0.8, 0.3]), ("Above", [0.88, 0.45, 0.35])]
 QUERY, RADIUS = [-0.68, 0.45, 0.0], 0.3  # where all cases occur
-view = octreetesting.white_view(1000, 430)
+view = white_view(1000, 430)
 
 colors = simple.GetColorTransferFunction("Case")
 colors.InterpretValuesAsCategories = 1

@@ -23,7 +23,9 @@ while not iterator.IsAtEnd():
 assert names == set(PROPERTIES), names
 
 for name in PROPERTIES:
-    octreetesting.check_property(proxy.GetProperty(name), vtkHashedOctreePointLocator(), name,
+    property_ = proxy.GetProperty(name)
+    assert name in ENUMERATIONS or property_.FindDomain("vtkSMIntRangeDomain"), name
+    octreetesting.check_property(property_, vtkHashedOctreePointLocator(), name,
                                  ENUMERATIONS.get(name))
 
 # All interpolators offer it, after ParaView's own, which stays the default.

@@ -2,6 +2,7 @@
 """The quadtree of points in a plane, a spiral, as ParaView shows it: squares coloured by depth."""
 import numpy
 import octreetesting
+from demo import white_view
 from paraview import servermanager, simple
 from vtk.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -30,7 +31,7 @@ def make_spiral():
     return source
 
 
-view = octreetesting.white_view(640, 540)
+view = white_view(640, 540)
 
 spiral = make_spiral()
 octree = simple.HashedOctree(Input=spiral, IncludeEmptyLeaves=1)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the plugin share. Importing it connects to the server, if there is one, and
-loads the plugin."""
+"""What the tests of the plugin share. Importing it connects to the server, if there is one, loads
+the plugin, and puts the demo on the path."""
 import os
 import sys
 
@@ -11,6 +11,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkDataObjectAlgorithm
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkAppendPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin", "Demo"))
 
 CELL_ARRAYS = ["Depth", "HitCost", "RootCost", "PointCount", "MortonKey"]
 HISTOGRAM = ["Depth", "Leaves", "EmptyLeaves", "Points", "GridWeight"]
@@ -23,16 +25,6 @@ ENUMERATIONS = {
     "FrequencyModel": ["Leaves", "Points", "Grid"],
     "StartDepthModel": ["Median", "Mean", "Root", "Fixed"],
 }
-
-
-def white_view(width, height):
-    """A render view for pictures."""
-    view = simple.CreateView("RenderView")
-    view.ViewSize = [width, height]
-    view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1.0, 1.0, 1.0]
-    return view
 
 
 def compare_with_baseline(view):
