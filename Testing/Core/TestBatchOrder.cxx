@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchOrder.h"
 
+#include "OnThisThread.h"
 #include "PointSamples.h"
 #include "Threads.h"
 
@@ -86,6 +87,6 @@ TEST_F(TestBatchOrder, LeavesPositionsAsTheyComeWhereTheyAreTogether)
 
 TEST_F(TestBatchOrder, CanBeInterrupted)
 {
-  const Execution execution(OnThreads(1), [](double) { return false; });
+  const Execution execution(OnThisThread, [](double) { return false; });
   EXPECT_THROW(GetOrder(this->Large, this->Positions, 0, 20000, execution), Interrupted);
 }

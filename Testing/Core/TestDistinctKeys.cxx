@@ -3,6 +3,7 @@
 
 #include "CurveBuilders.h"
 #include "Dimensions.h"
+#include "OnThisThread.h"
 #include "Threads.h"
 
 #include <algorithm>
@@ -54,5 +55,5 @@ TYPED_TEST(TestDistinctKeys, CanBeInterrupted)
 {
   const auto keys = TestFixture::MakeKeys(100000, 1000);
   EXPECT_THROW(
-    GetDistinctKeys(keys, Execution(OnThreads(1), [](double) { return false; })), Interrupted);
+    GetDistinctKeys(keys, Execution(OnThisThread, [](double) { return false; })), Interrupted);
 }

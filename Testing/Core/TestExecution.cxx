@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution.h"
 
+#include "OnThisThread.h"
 #include "Threads.h"
 #include "ToldProgress.h"
 
@@ -115,7 +116,7 @@ TEST(TestExecution, StopsWithinABatch)
     int answers = 0;
     std::size_t done = 0;
     const Execution execution(
-      OnThreads(1), [&answers](double) { return ++answers < 3; }, {}, threads);
+      OnThisThread, [&answers](double) { return ++answers < 3; }, {}, threads);
     for (const Execution& part : { execution, execution.Part(0.0, 0.5) })
     {
       answers = 0;
@@ -136,9 +137,9 @@ TEST(TestExecution, WithoutProgressNothingStops)
 TEST(TestExecution, AllPartsHeedTheSignToStop)
 {
   StopSign::Count stops{ 5 };
-  const Execution execution(OnThreads(1), {}, StopSign(stops));
+  const Execution execution(OnThisThread, {}, StopSign(stops));
   const Execution reporting(
-    OnThreads(1), [](double) { return true; }, StopSign(stops));
+    OnThisThread, [](double) { return true; }, StopSign(stops));
   const Execution parts[] = { execution, execution.Part(0.0, 0.5), reporting.Part(0.5, 1.0),
     reporting.OnOneThread() };
   for (const Execution& part : parts)
@@ -150,6 +151,6 @@ TEST(TestExecution, AllPartsHeedTheSignToStop)
   {
     EXPECT_THROW(part.HeedStop(), Interrupted);
   }
-  EXPECT_NO_THROW(Execution(OnThreads(1), {}, StopSign(stops)).HeedStop()) << "begins after it";
+  EXPECT_NO_THROW(Execution(OnThisThread, {}, StopSign(stops)).HeedStop()) << "begins after it";
   EXPECT_NO_THROW(Execution().HeedStop());
 }

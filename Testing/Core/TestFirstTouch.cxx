@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstTouch.h"
 
+#include "OnThisThread.h"
 #include "Threads.h"
 
 #include <gtest/gtest.h>
@@ -71,7 +72,7 @@ TEST(TestFirstTouch, ZeroedMemoryStaysZeroed)
 TEST(TestFirstTouch, TellsProgressEveryEightMegabytes)
 {
   int looks = 0;
-  const Execution execution(OnThreads(1),
+  const Execution execution(OnThisThread,
     [&looks](double fraction)
     {
       EXPECT_EQ(fraction, 0.0);
@@ -82,7 +83,7 @@ TEST(TestFirstTouch, TellsProgressEveryEightMegabytes)
   TouchPages(buffer, execution);
   EXPECT_GE(looks, 5);
 
-  const Execution interrupted(OnThreads(1), [](double) { return false; });
+  const Execution interrupted(OnThisThread, [](double) { return false; });
   EXPECT_THROW(TouchPages(buffer, interrupted), Interrupted);
 }
 

@@ -3,6 +3,7 @@
 
 #include "Dimensions.h"
 #include "DirectSearch.h"
+#include "OnThisThread.h"
 #include "SampleTree.h"
 #include "Threads.h"
 
@@ -46,7 +47,7 @@ TYPED_TEST(TestMeasuredCost, EqualsSearchesMadeOneByOne)
   constexpr int dim = TypeParam::value;
   const SampleTree<dim, double> made(
     PointSample<dim, double>{ "clustered", MakeClusteredPoints<dim, double>(2000, 103) });
-  const MeasuredCost measured = MeasureCost<dim>(made.Tree, Execution(OnThreads(1)));
+  const MeasuredCost measured = MeasureCost<dim>(made.Tree, Execution(OnThisThread));
   for (int startDepth = 0; startDepth <= made.Tree.GetDeepestDepth(); ++startDepth)
   {
     std::uint64_t leaves = 0;
@@ -75,6 +76,6 @@ TEST(TestMeasuredCostFacts, CanBeInterrupted)
 {
   const SampleTree<3, double> made(
     PointSample<3, double>{ "uniform", MakeUniformPoints<3, double>(1000, 102) });
-  const Execution execution(OnThreads(1), [](double) { return false; });
+  const Execution execution(OnThisThread, [](double) { return false; });
   EXPECT_THROW(MeasureCost<3>(made.Tree, execution), Interrupted);
 }

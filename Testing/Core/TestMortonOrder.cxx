@@ -2,6 +2,7 @@
 #include "MortonOrder.h"
 
 #include "Dimensions.h"
+#include "OnThisThread.h"
 #include "PointSamples.h"
 #include "Threads.h"
 
@@ -188,7 +189,7 @@ TYPED_TEST(TestMortonOrder, CanBeInterrupted)
   constexpr int dim = TestFixture::Dim;
   auto points = TestFixture::Encode({ "uniform", MakeUniformPoints<dim, double>(300000, 54) });
   int answers = 0;
-  const Execution execution(OnThreads(1), [&answers](double) { return ++answers < 2; });
+  const Execution execution(OnThisThread, [&answers](double) { return ++answers < 2; });
   EXPECT_THROW(SortAlongMortonCurve(points, 1, MortonKey<dim>::MaxDepth, execution), Interrupted);
 }
 
@@ -205,7 +206,7 @@ TEST(TestMortonOrderOfClusters, LargeOnesAreNotSortedWithoutALook)
     points.GetData()[i] = CodedPoint<3>(MortonKey<3>(key), static_cast<PointIndex>(i));
   }
   std::size_t reports = 0;
-  const Execution execution(OnThreads(1), [&reports](double) { return ++reports > 0; });
+  const Execution execution(OnThisThread, [&reports](double) { return ++reports > 0; });
   SortAlongMortonCurve(points, 64, MortonKey<3>::MaxDepth, execution);
   EXPECT_GT(reports, 3 * clusters); // 28 when each is sorted by one thread.
 }

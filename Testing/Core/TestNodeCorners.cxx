@@ -3,8 +3,8 @@
 
 #include "Dimensions.h"
 #include "NodeList.h"
+#include "OnThisThread.h"
 #include "SampleTree.h"
-#include "Threads.h"
 
 #include <algorithm>
 #include <random>
@@ -74,7 +74,7 @@ struct Numbering
   std::size_t Number(const Execution::Progress& progress) const
   {
     std::vector<int> connectivity(8 * this->Nodes.GetSize());
-    return NodeCorners<3>(this->Nodes, 0, connectivity.data(), Execution(OnThreads(1), progress))
+    return NodeCorners<3>(this->Nodes, 0, connectivity.data(), Execution(OnThisThread, progress))
       .GetNumberOfCorners();
   }
 

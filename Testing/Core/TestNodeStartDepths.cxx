@@ -4,6 +4,7 @@
 #include "AdjacentSearch.h"
 #include "BruteForceNeighbors.h"
 #include "Dimensions.h"
+#include "OnThisThread.h"
 #include "SampleTree.h"
 #include "Threads.h"
 
@@ -124,7 +125,7 @@ TEST(TestNodeStartDepthsFacts, StopsWhenAsked)
 {
   const SampleTree<3, double> made(
     PointSample<3, double>{ "uniform", MakeUniformPoints<3, double>(100, 831) });
-  const Execution execution(OnThreads(1), [](double) { return false; });
+  const Execution execution(OnThisThread, [](double) { return false; });
   EXPECT_THROW(NodeStartDepths<3>(made.Tree, execution), Interrupted);
 }
 

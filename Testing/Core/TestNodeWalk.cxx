@@ -3,8 +3,8 @@
 
 #include "Dimensions.h"
 #include "NodeList.h"
+#include "OnThisThread.h"
 #include "SampleTree.h"
-#include "Threads.h"
 
 #include <algorithm>
 #include <numeric>
@@ -99,7 +99,7 @@ TEST(TestNodeWalkFacts, LooksAtAnAbortWhileItFindsThePieces)
       looks.push_back(fraction);
       return looks.size() < looksToStop;
     };
-    NodeWalk<3>(nodes, 0, Execution(OnThreads(1), look));
+    NodeWalk<3>(nodes, 0, Execution(OnThisThread, look));
   };
   walk(manyNodes);
   EXPECT_EQ(looks.front(), 0.0);

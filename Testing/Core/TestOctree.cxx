@@ -2,6 +2,7 @@
 #include "Octree.h"
 
 #include "Dimensions.h"
+#include "OnThisThread.h"
 #include "PlainOctree.h"
 #include "SampleTree.h"
 #include "Threads.h"
@@ -266,7 +267,7 @@ TEST(TestOctreeFacts, BuildCanBeInterruptedAnywhere)
   const auto build = [&](std::size_t reports)
   {
     told.clear();
-    const Execution execution(OnThreads(1),
+    const Execution execution(OnThisThread,
       [&](double fraction)
       {
         told.push_back(fraction);

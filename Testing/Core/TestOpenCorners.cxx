@@ -3,8 +3,8 @@
 
 #include "NodeList.h"
 #include "NodeWalk.h"
+#include "OnThisThread.h"
 #include "SampleTree.h"
-#include "Threads.h"
 
 #include <map>
 
@@ -19,7 +19,7 @@ TEST(TestOpenCorners, KeepsTheNumbersOfTheOpenOnesAndForgetsMostOthers)
   std::map<std::uint64_t, std::uint64_t> expected;
   std::size_t mostBytes = 0;
   std::size_t looks = 0;
-  const Execution execution(OnThreads(1),
+  const Execution execution(OnThisThread,
     [&looks](double done)
     {
       EXPECT_EQ(done, 0.5);
@@ -52,7 +52,7 @@ TEST(TestOpenCorners, IsClearedWithReportsInBetween)
   OpenCorners<3> open;
   EXPECT_GT(open.GetBytes(), 0U);
   std::size_t looks = 0;
-  open.Clear(Execution(OnThreads(1),
+  open.Clear(Execution(OnThisThread,
     [&looks](double done)
     {
       EXPECT_EQ(done, 1.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointBatch.h"
 
+#include "OnThisThread.h"
 #include "PointSamples.h"
 #include "Sanitized.h"
 #include "Threads.h"
@@ -154,7 +155,7 @@ TEST(TestPointBatch, OfNoPositionsIsEmpty)
 TEST(TestPointBatch, CanBeInterrupted)
 {
   const Batch batch(Few);
-  const Execution execution(OnThreads(1), [](double) { return false; });
+  const Execution execution(OnThisThread, [](double) { return false; });
   const PointBatch search(batch.Tree, execution);
   std::vector<long long> ids(1500);
   std::vector<double> dist2(1500);
@@ -166,9 +167,7 @@ TEST(TestPointBatch, HeedsTheSignToStopBeforeEachSearch)
 {
   const Batch batch(1000);
   StopSign::Count stops{ 0 };
-  const auto onThisThread = [](std::size_t first, std::size_t last, std::size_t,
-                              const Execution::Body& body) { body(first, last); };
-  const PointBatch stopped(batch.Tree, Execution(onThisThread, {}, StopSign(stops)));
+  const PointBatch stopped(batch.Tree, Execution(OnThisThread, {}, StopSign(stops)));
   ++stops;
   std::vector<long long> ids(batch.GetSpan().Count, 77);
   std::vector<double> dist2(batch.GetSpan().Count, 77.0);

@@ -2,6 +2,7 @@
 #include "PointTree.h"
 
 #include "Dimensions.h"
+#include "OnThisThread.h"
 #include "PointSamples.h"
 #include "SampleTree.h"
 #include "Threads.h"
@@ -294,7 +295,7 @@ TEST(TestPointTreeFacts, CanBeInterrupted)
   const PointSelection<3> selection(points, {}, Execution());
   for (const double stop : { 0.0, 0.3, 0.7, 0.9 })
   {
-    const Execution execution(OnThreads(1), [stop](double fraction) { return fraction < stop; });
+    const Execution execution(OnThisThread, [stop](double fraction) { return fraction < stop; });
     EXPECT_THROW((PointTree<3, float>(points, selection, { 8, 21 }, execution)), Interrupted);
   }
 }

@@ -2,6 +2,7 @@
 #include "QueryDepths.h"
 
 #include "Dimensions.h"
+#include "OnThisThread.h"
 #include "SampleTree.h"
 #include "Threads.h"
 
@@ -103,7 +104,7 @@ TEST(TestQueryDepthsFacts, CanBeInterrupted)
 {
   const PointSample<3, double> sample{ "uniform", MakeUniformPoints<3, double>(1000, 184) };
   const SampleTree<3, double> made(sample);
-  const Execution execution(OnThreads(1), [](double) { return false; });
+  const Execution execution(OnThisThread, [](double) { return false; });
   EXPECT_THROW(GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), execution), Interrupted);
   const auto keys = GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), Execution());
   EXPECT_THROW(MeasureQueryDepths(made.Tree, keys, execution), Interrupted);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ThreadTeam.h"
 
+#include "OnThisThread.h"
 #include "Threads.h"
 
 #include <gtest/gtest.h>
@@ -26,15 +27,7 @@ constexpr std::size_t NumberOfLoops = 200;
 /** Two, and eight, at a time, and one after the other in the calling thread. */
 std::vector<Execution> MakeExecutions()
 {
-  const auto inTurns =
-    [](std::size_t first, std::size_t last, std::size_t, const Execution::Body& body)
-  {
-    for (; first < last; ++first)
-    {
-      body(first, first + 1);
-    }
-  };
-  return { Execution(), Execution(inTurns), Execution(OnThreads(2)), Execution(OnThreads(8)) };
+  return { Execution(), Execution(OnThisThread), Execution(OnThreads(2)), Execution(OnThreads(8)) };
 }
 
 /** Where two threads wait for each other; who comes again does not. */

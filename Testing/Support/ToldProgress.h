@@ -2,7 +2,7 @@
 #ifndef Testing_Support_ToldProgress_h
 #define Testing_Support_ToldProgress_h
 
-#include "Threads.h"
+#include "OnThisThread.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ class ToldProgress
 public:
   hashedoctree::Execution MakeExecution()
   {
-    return hashedoctree::Execution(OnThreads(1),
+    return hashedoctree::Execution(OnThisThread,
       [this](double fraction)
       {
         this->Fractions.push_back(fraction);
