@@ -12,16 +12,27 @@
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/** The executive does not run the filter, and says one error with `words` in it. */
+void ExpectToBeRefused(TestedLocateFilter& filter, const std::string& words)
+{
+  EXPECT_FALSE(filter->GetExecutive()->Update());
+  ASSERT_EQ(filter.PipelineErrors.size(), 1U);
+  EXPECT_NE(filter.PipelineErrors[0].find(words), std::string::npos) << filter.PipelineErrors[0];
+  filter.PipelineErrors.clear();
+}
 
 /** After an error the same filter must do its work as if nothing had happened. */
 void ExpectToWorkAgain(TestedLocateFilter& filter)
@@ -135,11 +146,23 @@ TEST(TestHashedOctreeLocateFilterInputs, BothInputsAreRequired)
   {
     TestedLocateFilter filter;
     filter->SetInputData(1 - missing, MakeUniform(10, 345));
-    EXPECT_FALSE(filter->GetExecutive()->Update());
-    ASSERT_EQ(filter.PipelineErrors.size(), 1U);
-    const std::string words = "Input port " + std::to_string(missing);
-    EXPECT_NE(filter.PipelineErrors[0].find(words), std::string::npos) << filter.PipelineErrors[0];
-    filter.PipelineErrors.clear();
+    ExpectToBeRefused(filter, "Input port " + std::to_string(missing));
+    ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterInputs, TheExecutiveRefusesInputsOfAnotherType)
+{
+  const vtkNew<vtkTable> table;
+  const vtkNew<vtkImageData> image;
+  for (const auto& [port, input, required] :
+    { std::tuple<int, vtkDataObject*, const char*>(0, table, "vtkPointSet"),
+      { 0, image, "vtkPointSet" }, { 1, table, "vtkDataSet" } })
+  {
+    TestedLocateFilter filter;
+    filter->SetInputData(port, input);
+    filter->SetInputData(1 - port, MakeUniform(10, 345));
+    ExpectToBeRefused(filter, std::string("a ") + required + " is required");
     ExpectToWorkAgain(filter);
   }
 }
