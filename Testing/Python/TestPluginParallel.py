@@ -297,6 +297,13 @@ assert piece[0].GetNumberOfPartitions() == rank + 1
 assert numpy.array_equal(rows(piece[0].GetPartition(rank)), rows(whole[0].GetPartition(rank)))
 assert piece[1].GetBlock(rank).GetNumberOfRows() == whole[1].GetBlock(rank).GetNumberOfRows() > 1
 
+# Also where they are as many, at other places.
+of_cube = make_points(cube[rank::PROCESSES])
+nested = make_blocks(vtkMultiBlockDataSet, make_points(clusters[rank::PROCESSES]))
+mine = make_blocks(vtkMultiBlockDataSet, *([of_cube, nested] if rank == 0 else [nested, of_cube]))
+piece, whole = (rows(run(mine, pieces)[0].GetBlock(min(rank, 1))) for pieces in (PROCESSES, 1))
+assert numpy.array_equal(piece, whole)
+
 # Then points, or queries, may be in some processes only.
 mine = [make_points(cube[:90])] if rank == 3 else [make_points(cube[:0])] * (rank + 1)
 piece = run(make_blocks(vtkPartitionedDataSet, *mine), PROCESSES,
