@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
+include(UnitOfTests)
 
 # One line registers one test. A test whose host is not there (no VTK, no plugin) is still recorded
 # as registered, because CheckRegistered.cmake compares the record with the files under Testing. With
@@ -132,37 +133,82 @@ function (_hashedoctree_is_wanted result file)
   endif ()
 endfunction ()
 
+# GoogleTests in one file, in a program of their own; with a sanitizer in one of several files, see
+# hashedoctree_add_units().
 function (_hashedoctree_add_gtest name file label)
   _hashedoctree_is_wanted(wanted "${file}")
   if (NOT wanted)
     return ()
   endif ()
-  add_executable("${name}" "${file}")
-  target_include_directories("${name}" PRIVATE
-    "${CMAKE_CURRENT_SOURCE_DIR}/Support" "${CMAKE_CURRENT_SOURCE_DIR}/Benchmarks")
-  target_link_libraries("${name}" PRIVATE ${ARGN} GTest::gtest_main)
-  hashedoctree_own_code("${name}")
-  # Tests compile in two thirds of the time of -O3; the libraries that they link are as they ship.
-  target_compile_options("${name}" PRIVATE $<$<CONFIG:Release>:-O1>)
-  _hashedoctree_precompile_headers("${name}" "${label}")
-  add_test(NAME "${name}" COMMAND "${name}")
-  # More memory than there is throws with a sanitizer, too, instead of ending the test.
-  set_tests_properties("${name}" PROPERTIES LABELS "${label}" TIMEOUT 600 ENVIRONMENT
-    "ASAN_OPTIONS=allocator_may_return_null=1;TSAN_OPTIONS=allocator_may_return_null=1")
-endfunction ()
-
-# The builds with a sanitizer read the headers that all tests have in common once for each label. The
-# plain build does not: it shows which #include is missing, and clang-tidy cannot read what GCC makes.
-function (_hashedoctree_precompile_headers name label)
-  if (NOT HASHEDOCTREE_SANITIZE)
+  if (HASHEDOCTREE_SANITIZE)
+    set_property(GLOBAL APPEND PROPERTY "HASHEDOCTREE_TESTS_OF_${label}" "${file}")
+    set_property(GLOBAL PROPERTY "HASHEDOCTREE_LIBRARIES_OF_${label}" "${ARGN}")
     return ()
   endif ()
-  get_property(first GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_${label}")
+  _hashedoctree_add_gtest_program("${name}" "${file}" ${ARGN})
+  # Tests compile in two thirds of the time of -O3; the libraries that they link are as they ship.
+  target_compile_options("${name}" PRIVATE $<$<CONFIG:Release>:-O1>)
+  # A third of what is left goes to GoogleTest's header, which is read once for each label.
+  get_property(first GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_OF_${label}")
   if (first)
     target_precompile_headers("${name}" REUSE_FROM "${first}")
   else ()
-    target_precompile_headers("${name}" PRIVATE
-      <gtest/gtest.h> <algorithm> <array> <cmath> <functional> <numeric> <random> <vector>)
-    set_property(GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_${label}" "${name}")
+    target_precompile_headers("${name}" PRIVATE <gtest/gtest.h>)
+    set_property(GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_OF_${label}" "${name}")
   endif ()
+  _hashedoctree_run_gtest("${name}" "${label}" "${name}")
+endfunction ()
+
+# hashedoctree_add_units(): with a sanitizer, the programs of all GoogleTests that were added, eight
+# files to a program, which compile in two thirds of the time. Each file is still a test of its own.
+function (hashedoctree_add_units)
+  set(files_in_unit 8)
+  foreach (label core vtk)
+    get_property(files GLOBAL PROPERTY "HASHEDOCTREE_TESTS_OF_${label}")
+    get_property(libraries GLOBAL PROPERTY "HASHEDOCTREE_LIBRARIES_OF_${label}")
+    set(number 0)
+    while (files)
+      list(SUBLIST files 0 ${files_in_unit} of_unit)
+      list(REMOVE_ITEM files ${of_unit})
+      math(EXPR number "${number} + 1")
+      _hashedoctree_add_unit("${label}_tests_${number}" "${label}" "${of_unit}" ${libraries})
+    endwhile ()
+  endforeach ()
+endfunction ()
+
+function (_hashedoctree_add_unit unit label files)
+  list(TRANSFORM files PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files}) # for new #includes
+  make_unit_of_tests(source ${files})
+  file(CONFIGURE OUTPUT "${unit}.cxx" CONTENT "${source}" @ONLY)
+  _hashedoctree_add_gtest_program("${unit}" "${CMAKE_CURRENT_BINARY_DIR}/${unit}.cxx" ${ARGN})
+  # Which does not know that the tests' nameless namespaces are included nowhere else.
+  target_compile_options("${unit}" PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  foreach (file IN LISTS files)
+    get_filename_component(folder "${file}" DIRECTORY)
+    target_include_directories("${unit}" PRIVATE "${folder}")
+    get_filename_component(name "${file}" NAME_WE)
+    # Suites have parameters behind their names, or before.
+    file(STRINGS "${file}" suites REGEX "^(TYPED_)?TEST(_F|_P)?\\(")
+    list(TRANSFORM suites REPLACE "^.*\\(([A-Za-z0-9]+).*" "\\1.*:\\1/*:*/\\1.*")
+    list(REMOVE_DUPLICATES suites)
+    list(JOIN suites ":" filter)
+    _hashedoctree_run_gtest("${name}" "${label}" "${unit}" "--gtest_filter=${filter}")
+  endforeach ()
+endfunction ()
+
+function (_hashedoctree_add_gtest_program program source)
+  add_executable("${program}" "${source}")
+  target_include_directories("${program}" PRIVATE
+    "${CMAKE_CURRENT_SOURCE_DIR}/Support" "${CMAKE_CURRENT_SOURCE_DIR}/Benchmarks")
+  target_link_libraries("${program}" PRIVATE ${ARGN} GTest::gtest_main)
+  hashedoctree_own_code("${program}")
+endfunction ()
+
+function (_hashedoctree_run_gtest name label)
+  add_test(NAME "${name}" COMMAND ${ARGN})
+  # More memory than there is throws with a sanitizer, too, instead of ending the test.
+  set_tests_properties("${name}" PROPERTIES LABELS "${label}" TIMEOUT 600
+    FAIL_REGULAR_EXPRESSION "Running 0 tests" ENVIRONMENT
+    "ASAN_OPTIONS=allocator_may_return_null=1;TSAN_OPTIONS=allocator_may_return_null=1")
 endfunction ()

@@ -5,6 +5,7 @@
 # made here. Sources of one folder must not have the same name for two things, in nameless namespaces
 # either; tests may.
 include("${CMAKE_CURRENT_LIST_DIR}/SkipOtherClang.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/UnitOfTests.cmake")
 find_program(CLANG_TIDY NAMES clang-tidy-14 clang-tidy REQUIRED) # Debian: clang-tidy
 find_program(RUN_CLANG_TIDY NAMES run-clang-tidy-14 run-clang-tidy REQUIRED)
 skip_other_clang("${CLANG_TIDY}")
@@ -18,23 +19,6 @@ function (make_unit result)
     string(APPEND unit "#include \"${file}\" // NOLINT\n")
   endforeach ()
   set("${result}" "${unit}" PARENT_SCOPE)
-endfunction ()
-
-# make_unit_of_tests(<result> <test>...): all headers first, so that the tests' own #includes do
-# nothing inside the namespaces, which keep the tests' names apart.
-function (make_unit_of_tests result)
-  set(headers "")
-  set(bodies "")
-  foreach (test IN LISTS ARGN)
-    file(STRINGS "${test}" lines REGEX "^#include ")
-    list(APPEND headers ${lines})
-    get_filename_component(name "${test}" NAME_WE)
-    string(TOLOWER "${name}" name)
-    string(APPEND bodies "namespace ${name}\n{\n#include \"${test}\" // NOLINT\n}\n")
-  endforeach ()
-  list(REMOVE_DUPLICATES headers)
-  list(JOIN headers "\n" headers)
-  set("${result}" "${headers}\n${bodies}" PARENT_SCOPE)
 endfunction ()
 
 file(REMOVE_RECURSE "${folder}")
@@ -85,6 +69,8 @@ foreach (group IN LISTS groups)
     set(file "${folder}/Unit${number}.cxx")
     file(WRITE "${file}" "${unit}")
     string(REPLACE "${example_${group}}" "${file}" compilation "${compilation_${group}}")
+    # Clang cannot read what GCC has precompiled.
+    string(REGEX REPLACE " -include [^ ]*cmake_pch[^ ]*" "" compilation "${compilation}")
     string(APPEND database "${separator}${compilation}")
     set(separator ",\n")
   endwhile ()

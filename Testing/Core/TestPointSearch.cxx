@@ -4,6 +4,7 @@
 #include "BruteForceSearch.h"
 #include "Dimensions.h"
 #include "PointSamples.h"
+#include "Sanitized.h"
 
 #include <algorithm>
 #include <iostream>
@@ -62,7 +63,9 @@ protected:
       }
       const Position<Dim> x = this->MakePosition(selection.GetBox(), point);
       const std::vector<OracleFound> all = oracle.FindAll(x);
-      for (int startDepth = query % 3; startDepth <= MortonKey<Dim>::MaxDepth; startDepth += 3)
+      constexpr int step = Sanitized ? 8 : 3;
+      for (int startDepth = query % step; startDepth <= MortonKey<Dim>::MaxDepth;
+           startDepth += step)
       {
         tree.SetStartDepths({ StartDepthModel::Fixed, FrequencyModel::Leaves, startDepth });
         this->ExpectFound(PointSearch<Dim, Real>(tree), x, all);

@@ -119,7 +119,7 @@ void ExpectAnswersFromAllStartDepths(
     }
   }
   locator->SetStartDepthModel(Class::Fixed);
-  for (int depth = 0; depth <= 21; ++depth)
+  for (int depth = 0; depth <= 21; depth += Sanitized ? 7 : 1)
   {
     locator->SetFixedStartDepth(depth);
     ASSERT_EQ(locator->GetStartDepth(), depth);

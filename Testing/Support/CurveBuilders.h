@@ -4,6 +4,7 @@
 
 #include "CurveDivision.h"
 #include "SampleTree.h"
+#include "Sanitized.h"
 #include "TreePart.h"
 
 #include <condition_variable>
@@ -188,7 +189,8 @@ void ForEachDivision(const Function& function)
       {
         continue; // Nothing to divide.
       }
-      for (const std::size_t number : { 1, 2, 3, 8 })
+      using Numbers = std::vector<std::size_t>;
+      for (const std::size_t number : Sanitized ? Numbers{ 4 } : Numbers{ 1, 2, 3, 8 })
       {
         SCOPED_TRACE(::testing::Message()
           << sample.Name << ", " << number << " builders, at most " << options.MaxPointsPerLeaf
