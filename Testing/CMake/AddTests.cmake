@@ -90,14 +90,14 @@ function (hashedoctree_add_checks)
   get_property(registered GLOBAL PROPERTY HASHEDOCTREE_REGISTERED_TESTS)
   list(JOIN registered "\n" registered)
   file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/Registered.txt" "${registered}\n")
-  set(checks Registered Layers Format Tidy)
+  set(checks Registered Layers Format Headers Tidy)
   if (HASHEDOCTREE_HAVE_VTK)
     list(APPEND checks Subproject)
   endif ()
   foreach (check IN LISTS checks)
     add_test(NAME "Check${check}" COMMAND "${CMAKE_COMMAND}"
       "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DBINARY_DIR=${PROJECT_BINARY_DIR}"
-      "-DGENERATOR=${CMAKE_GENERATOR}"
+      "-DGENERATOR=${CMAKE_GENERATOR}" "-DCXX=${CMAKE_CXX_COMPILER}"
       -P "${CMAKE_CURRENT_SOURCE_DIR}/CMake/Check${check}.cmake")
     set_tests_properties("Check${check}" PROPERTIES
       LABELS style SKIP_REGULAR_EXPRESSION "^Skipped: ")
