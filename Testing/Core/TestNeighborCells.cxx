@@ -12,72 +12,89 @@ using namespace hashedoctree;
 template <typename Dimension>
 class TestNeighborCells : public ::testing::Test
 {
+protected:
+  static constexpr int Dim = Dimension::value;
+  using Key = MortonKey<Dim>;
+
+  static bool IsUpper(unsigned corner, int axis) { return (corner >> (Dim - 1 - axis) & 1U) != 0; }
+
+  /** Cells from `lower` on along all axes: one along those of the mask `one`, else two. */
+  static NeighborCells<Dim> MakeCells(int depth, std::uint32_t lower, unsigned one)
+  {
+    NeighborCells<Dim> cells;
+    cells.Depth = depth;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      cells.Lower[axis] = lower;
+      cells.Upper[axis] = lower + (IsUpper(one, axis) ? 0U : 1U);
+    }
+    return cells;
+  }
+
+  static Key GetKey(const NeighborCells<Dim>& cells, unsigned corner)
+  {
+    Cell<Dim> cell;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      cell[axis] = IsUpper(corner, axis) ? cells.Upper[axis] : cells.Lower[axis];
+    }
+    return Key::FromCell(cell, cells.Depth);
+  }
+
+  /** Each cell must be reached once, as a block or in a leaf, and what was looked at be counted. */
+  static void ExpectReached(const Octree<Dim>& tree, const NeighborCells<Dim>& cells)
+  {
+    std::multiset<std::uint64_t> blocks;
+    std::multiset<std::uint64_t> leaves;
+    constexpr int startDepth = 2;
+    RangeCount<Dim> count;
+    ReachCells(
+      tree, cells, startDepth, EmptyOctants::Leaves, count,
+      [&](unsigned corner, Key key, const auto& entry)
+      {
+        EXPECT_EQ(corner & ~cells.GetAxesApart(), 0U);
+        EXPECT_EQ(GetKey(cells, corner), key);
+        EXPECT_EQ(tree.GetBlockKey(entry.Block), key);
+        blocks.insert(key.GetValue());
+      },
+      [&](const FoundLeaf<Dim>& leaf) { leaves.insert(leaf.Key.GetValue()); });
+
+    std::set<std::uint64_t> expectedBlocks;
+    std::set<std::uint64_t> expectedLeaves;
+    for (unsigned corner = 0; corner < Key::NumberOfOctants; ++corner)
+    {
+      const Key key = GetKey(cells, corner);
+      const auto leaf = FindLeaf(tree, key.GetFirstAtMaxDepth(), 0);
+      const bool isInternal = leaf.Key.GetDepth() > cells.Depth;
+      (isInternal ? expectedBlocks : expectedLeaves)
+        .insert((isInternal ? key : leaf.Key).GetValue());
+    }
+    ASSERT_EQ(blocks, std::multiset<std::uint64_t>(expectedBlocks.begin(), expectedBlocks.end()));
+    ASSERT_EQ(leaves, std::multiset<std::uint64_t>(expectedLeaves.begin(), expectedLeaves.end()));
+
+    std::uint64_t expectedCount = 0;
+    for (const std::uint64_t leaf : leaves)
+    {
+      const int steps = std::abs(Key(leaf).GetDepth() - std::min(startDepth, cells.Depth));
+      expectedCount += static_cast<std::uint64_t>(2 + steps);
+    }
+    ASSERT_EQ(count.GetNodes(), expectedCount);
+  }
 };
 TYPED_TEST_SUITE(TestNeighborCells, Dimensions);
 
 TYPED_TEST(TestNeighborCells, EachCellIsReachedOnceOrInALeaf)
 {
-  constexpr int dim = TypeParam::value;
-  using Key = MortonKey<dim>;
+  constexpr int dim = TestFixture::Dim;
   const SampleTree<dim, double> made(
     PointSample<dim, double>{ "uniform", MakeUniformPoints<dim, double>(300, 501) });
   for (int depth = 1; depth <= made.Tree.GetDeepestDepth() + 1; ++depth)
   {
     for (std::uint32_t lower = 0; lower + 1 < (1U << depth); lower += 1 + lower / 4)
     {
-      for (unsigned one = 0; one < Key::NumberOfOctants; ++one) // Axes with one cell.
+      for (unsigned one = 0; one < MortonKey<dim>::NumberOfOctants; ++one)
       {
-        NeighborCells<dim> cells;
-        cells.Depth = depth;
-        const auto getKey = [&cells](unsigned corner)
-        {
-          Cell<dim> cell;
-          for (int axis = 0; axis < dim; ++axis)
-          {
-            const bool isUpper = (corner >> (dim - 1 - axis) & 1U) != 0;
-            cell[axis] = isUpper ? cells.Upper[axis] : cells.Lower[axis];
-          }
-          return Key::FromCell(cell, cells.Depth);
-        };
-        std::set<std::uint64_t> expectedBlocks;
-        std::set<std::uint64_t> expectedLeaves;
-        for (int axis = 0; axis < dim; ++axis)
-        {
-          cells.Lower[axis] = lower;
-          cells.Upper[axis] = lower + ((one >> (dim - 1 - axis) & 1U) != 0 ? 0U : 1U);
-        }
-        for (unsigned corner = 0; corner < Key::NumberOfOctants; ++corner)
-        {
-          const Key key = getKey(corner);
-          const auto leaf = FindLeaf(made.Tree, key.GetFirstAtMaxDepth(), 0);
-          const bool isInternal = leaf.Key.GetDepth() > depth;
-          (isInternal ? expectedBlocks : expectedLeaves)
-            .insert((isInternal ? key : leaf.Key).GetValue());
-        }
-        std::multiset<std::uint64_t> blocks;
-        std::multiset<std::uint64_t> leaves;
-        RangeCount<dim> count;
-        ReachCells(
-          made.Tree, cells, 2, EmptyOctants::Leaves, count,
-          [&](unsigned corner, Key key, const auto& entry)
-          {
-            EXPECT_EQ(corner & ~cells.GetAxesApart(), 0U);
-            EXPECT_EQ(getKey(corner), key);
-            EXPECT_EQ(made.Tree.GetBlockKey(entry.Block), key);
-            blocks.insert(key.GetValue());
-          },
-          [&](const FoundLeaf<dim>& leaf) { leaves.insert(leaf.Key.GetValue()); });
-        ASSERT_EQ(
-          blocks, std::multiset<std::uint64_t>(expectedBlocks.begin(), expectedBlocks.end()));
-        ASSERT_EQ(
-          leaves, std::multiset<std::uint64_t>(expectedLeaves.begin(), expectedLeaves.end()));
-        std::uint64_t expectedCount = 0;
-        for (const std::uint64_t leaf : leaves)
-        {
-          expectedCount +=
-            static_cast<std::uint64_t>(2 + std::abs(Key(leaf).GetDepth() - std::min(2, depth)));
-        }
-        ASSERT_EQ(count.GetNodes(), expectedCount);
+        ASSERT_NO_FATAL_FAILURE(this->ExpectReached(made.Tree, this->MakeCells(depth, lower, one)));
       }
     }
   }
