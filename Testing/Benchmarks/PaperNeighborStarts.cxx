@@ -162,14 +162,42 @@ void TimeOwnStartDepths(const Octree<3>& tree, const std::vector<Key>& leaves,
   results.Neighbors.MedianTime = times[0];
   results.Neighbors.OwnTime = times[1];
 }
+
+/** What searches of the paper's own tree look at. */
+void CountInPaperTree(const PaperTrees& trees, const std::vector<Key>& leaves, double radius,
+  int deepest, PaperResults& results)
+{
+  std::vector<Key> keys;
+  const auto countAdjacent = [&](Key leaf, int startDepth)
+  {
+    NodeCount count;
+    trees.Paper->FindAdjacent(leaf, startDepth, keys, count);
+    return count.Nodes;
+  };
+  const auto countInRadius = [&](Key leaf, int startDepth)
+  {
+    NodeCount count;
+    trees.Paper->FindInRadius(leaf, radius, startDepth, keys, count);
+    return count.Nodes;
+  };
+  NeighborStarts& starts = results.Neighbors;
+  starts.PaperAdjacent =
+    GetCosts(ScanStartDepths(leaves, deepest, countAdjacent), results.StartDepth);
+  starts.PaperInRadius =
+    GetCosts(ScanStartDepths(leaves, deepest, countInRadius), results.StartDepth);
+  starts.PaperAdjacent.TopDown = CountTopDown(*trees.Paper, leaves,
+    [](const auto& counted, const auto& leaf, auto& placed)
+    { FindAdjacentTopDown(counted, leaf, placed); });
+  starts.PaperInRadius.TopDown = CountTopDown(*trees.Paper, leaves,
+    [&](const auto& counted, const auto& leaf, auto& placed)
+    { FindInRadiusTopDown(counted, trees.Ours.GetGrid(), leaf, radius, placed); });
 }
 
-void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leaves, double radius,
-  int repetitions, PaperResults& results)
+/** What searches of our tree look at, and whether the start depths kept for the leaves are those
+ * from which adjacent searches look at the fewest. */
+void CountInOurTree(const Octree<3>& tree, const std::vector<Key>& leaves, double radius,
+  const hashedoctree::NodeStartDepths<3>& stored, PaperResults& results)
 {
-  const Octree<3>& tree = trees.Ours;
-  const std::vector<Key> scanned(
-    leaves.begin(), leaves.begin() + std::min(leaves.size(), MaxScannedLeaves));
   std::vector<hashedoctree::Neighbor<3>> found;
   const auto countAdjacent = [&](Key leaf, int startDepth)
   {
@@ -184,50 +212,35 @@ void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leav
     return count.Nodes;
   };
   const int deepest = tree.GetDeepestDepth();
-  const auto adjacent = ScanStartDepths(scanned, deepest, countAdjacent);
-  const auto inRadius = ScanStartDepths(scanned, deepest, countInRadius);
-
-  std::vector<Key> keys;
-  const auto countPaperAdjacent = [&](Key leaf, int startDepth)
+  const auto adjacent = ScanStartDepths(leaves, deepest, countAdjacent);
+  results.Neighbors.Adjacent = GetCosts(adjacent, results.StartDepth);
+  results.Neighbors.InRadius =
+    GetCosts(ScanStartDepths(leaves, deepest, countInRadius), results.StartDepth);
+  for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    NodeCount count;
-    trees.Paper->FindAdjacent(leaf, startDepth, keys, count);
-    return count.Nodes;
-  };
-  const auto countPaperInRadius = [&](Key leaf, int startDepth)
-  {
-    NodeCount count;
-    trees.Paper->FindInRadius(leaf, radius, startDepth, keys, count);
-    return count.Nodes;
-  };
-
-  NeighborStarts& starts = results.Neighbors;
-  starts.PaperAdjacent =
-    GetCosts(ScanStartDepths(scanned, deepest, countPaperAdjacent), results.StartDepth);
-  starts.PaperInRadius =
-    GetCosts(ScanStartDepths(scanned, deepest, countPaperInRadius), results.StartDepth);
-  starts.PaperAdjacent.TopDown = CountTopDown(*trees.Paper, scanned,
-    [](const auto& counted, const auto& leaf, auto& placed)
-    { FindAdjacentTopDown(counted, leaf, placed); });
-  starts.PaperInRadius.TopDown = CountTopDown(*trees.Paper, scanned,
-    [&](const auto& counted, const auto& leaf, auto& placed)
-    { FindInRadiusTopDown(counted, tree.GetGrid(), leaf, radius, placed); });
-  starts.Adjacent = GetCosts(adjacent, results.StartDepth);
-  starts.InRadius = GetCosts(inRadius, results.StartDepth);
-  hashedoctree::NodeStartDepths<3> stored;
-  starts.StoredSeconds =
-    GetSeconds([&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });
-  starts.StoredBytes = stored.GetBytes();
-  for (std::size_t i = 0; i < scanned.size(); ++i)
-  {
-    const int startDepth = GetOwnStartDepth(tree, stored, scanned[i]);
+    const std::uint64_t own = countAdjacent(leaves[i], GetOwnStartDepth(tree, stored, leaves[i]));
     const std::uint64_t fewest = *std::min_element(adjacent[i].begin(), adjacent[i].end());
     ++results.CheckedAnswers;
-    results.DifferentAnswers += countAdjacent(scanned[i], startDepth) == fewest ? 0 : 1;
+    results.DifferentAnswers += own == fewest ? 0 : 1;
   }
+}
+}
+
+void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leaves, double radius,
+  int repetitions, PaperResults& results)
+{
+  const Octree<3>& tree = trees.Ours;
+  const auto getFirst = [&leaves](std::size_t most) -> std::vector<Key> {
+    return { leaves.begin(), leaves.begin() + std::min(leaves.size(), most) };
+  };
+  const std::vector<Key> scanned = getFirst(MaxScannedLeaves);
+  CountInPaperTree(trees, scanned, radius, tree.GetDeepestDepth(), results);
+  hashedoctree::NodeStartDepths<3> stored;
+  results.Neighbors.StoredSeconds =
+    GetSeconds([&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });
+  results.Neighbors.StoredBytes = stored.GetBytes();
+  CountInOurTree(tree, scanned, radius, stored, results);
   TimeOwnStartDepths(tree, scanned, stored, repetitions, results);
-  CompareOptions(tree,
-    { scanned.begin(), scanned.begin() + std::min(scanned.size(), MaxRejectedLeaves) }, repetitions,
-    results);
+  CompareOptions(tree, getFirst(MaxRejectedLeaves), repetitions, results);
 }
 }
