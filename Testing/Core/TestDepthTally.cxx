@@ -43,6 +43,7 @@ TEST(TestDepthTally, PartsAddUp)
 
 TEST(TestDepthTally, HistogramsEndWithTheDeepestLeaf)
 {
+  EXPECT_TRUE(Tally().GetCounts().Leaves.empty());
   Tally tally;
   tally.AddChildren(MortonKey<2>::MaxDepth, MakeOctants(0b0001, 0b0000), 1);
   EXPECT_EQ(tally.GetCounts().Leaves.size(), static_cast<std::size_t>(MortonKey<2>::MaxDepth) + 1);
