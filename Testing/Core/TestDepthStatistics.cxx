@@ -38,6 +38,25 @@ TEST(TestDepthStatistics, TiesGoToTheSmallerDepth)
   EXPECT_DOUBLE_EQ(GetMeanCost({ 0, 5, 0, 0, 5 }, 1), GetMeanCost({ 0, 5, 0, 0, 5 }, 4));
 }
 
+TEST(TestDepthStatistics, EachModelHasItsStartDepth)
+{
+  const DepthCounts counts{ { 0, 6, 0, 1, 4 }, { 0, 5, 0, 0, 2 }, { 0, 4, 0, 0, 5 } };
+  const auto get = [&counts](StartDepthModel model, FrequencyModel frequency) {
+    return GetStartDepth(counts, { model, frequency, 7 }, 3);
+  };
+  for (const StartDepthModel median : { StartDepthModel::Median, StartDepthModel::Local })
+  {
+    EXPECT_EQ(get(median, FrequencyModel::Leaves), 1);
+    EXPECT_EQ(get(median, FrequencyModel::Points), 4);
+    EXPECT_EQ(get(median, FrequencyModel::Grid), 1);
+  }
+  EXPECT_EQ(get(StartDepthModel::Mean, FrequencyModel::Leaves), 2) << "25 / 11";
+  EXPECT_EQ(get(StartDepthModel::Mean, FrequencyModel::Points), 3) << "24 / 9";
+  EXPECT_EQ(get(StartDepthModel::Mean, FrequencyModel::Grid), 1);
+  EXPECT_EQ(get(StartDepthModel::Root, FrequencyModel::Leaves), 0);
+  EXPECT_EQ(get(StartDepthModel::Fixed, FrequencyModel::Leaves), 7);
+}
+
 TEST(TestDepthStatistics, MeanDepthIsRounded)
 {
   EXPECT_EQ(GetMeanDepth({ 0, 0, 0, 7 }), 3);
