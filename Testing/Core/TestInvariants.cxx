@@ -52,6 +52,15 @@ TEST_F(TestInvariants, SoundTreeBreaksNone)
     std::vector<std::string>());
 }
 
+TEST(TestInvariantsFacts, SoundTreeOfFewDepthsBreaksNone)
+{
+  const PointSample<3, double> sample{ "uniform", MakeUniformPoints<3, double>(50, 112) };
+  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
+  const Octree<3> tree(sample.GetSpan(), selection, { 1, 3 }, Execution());
+  ASSERT_EQ(tree.GetDeepestDepth(), 3);
+  EXPECT_EQ(FindBrokenLaws(tree, sample.GetSpan(), selection), std::vector<std::string>());
+}
+
 TEST_F(TestInvariants, MovedPoint)
 {
   this->Sample.Coordinates[3 * 77] += 0.1;
