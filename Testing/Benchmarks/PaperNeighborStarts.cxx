@@ -164,9 +164,10 @@ void TimeOwnStartDepths(const Octree<3>& tree, const std::vector<Key>& leaves,
 }
 
 /** What searches of the paper's own tree look at. */
-void CountInPaperTree(const PaperTrees& trees, const std::vector<Key>& leaves, double radius,
-  int deepest, PaperResults& results)
+void CountInPaperTree(
+  const PaperTrees& trees, const std::vector<Key>& leaves, double radius, PaperResults& results)
 {
+  const int deepest = trees.Ours.GetDeepestDepth();
   std::vector<Key> keys;
   const auto countAdjacent = [&](Key leaf, int startDepth)
   {
@@ -234,7 +235,7 @@ void MeasureNeighborStarts(const PaperTrees& trees, const std::vector<Key>& leav
     return { leaves.begin(), leaves.begin() + std::min(leaves.size(), most) };
   };
   const std::vector<Key> scanned = getFirst(MaxScannedLeaves);
-  CountInPaperTree(trees, scanned, radius, tree.GetDeepestDepth(), results);
+  CountInPaperTree(trees, scanned, radius, results);
   hashedoctree::NodeStartDepths<3> stored;
   results.Neighbors.StoredSeconds =
     GetSeconds([&] { stored = hashedoctree::NodeStartDepths<3>(tree, hashedoctree::Execution()); });

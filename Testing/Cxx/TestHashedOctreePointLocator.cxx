@@ -102,9 +102,10 @@ std::vector<double> MakeRadii(const std::vector<OracleFound>& all)
   return radii;
 }
 
-/** Every property that changes where a search starts; none may change an answer. */
+/** Every property that changes where a search starts; none may change an answer. With a sanitizer
+ * every seventh depth from `first` on, so that all have their turn in seven queries. */
 void ExpectAnswersFromAllStartDepths(
-  TestedLocator& locator, const Position& x, const std::vector<OracleFound>& all)
+  TestedLocator& locator, const Position& x, const std::vector<OracleFound>& all, int first)
 {
   using Class = vtkHashedOctreePointLocator;
   const std::vector<double> radii = MakeRadii(all);
@@ -119,7 +120,8 @@ void ExpectAnswersFromAllStartDepths(
     }
   }
   locator->SetStartDepthModel(Class::Fixed);
-  for (int depth = 0; depth <= 21; depth += Sanitized ? 7 : 1)
+  constexpr int step = Sanitized ? 7 : 1;
+  for (int depth = first % step; depth <= 21; depth += step)
   {
     locator->SetFixedStartDepth(depth);
     ASSERT_EQ(locator->GetStartDepth(), depth);
@@ -137,11 +139,12 @@ void ExpectAnswersOfSample(
   locator->SetMaxPointsPerLeaf(maxPointsPerLeaf);
   locator->BuildLocator();
   locator.Warnings.clear(); // Told of in another test.
+  int query = 0;
   for (const Position& x : MakeQueries(sample, numberOfQueries))
   {
     SCOPED_TRACE(::testing::PrintToString(x));
     const std::vector<OracleFound> all = oracle.FindAll(x);
-    ASSERT_NO_FATAL_FAILURE(ExpectAnswersFromAllStartDepths(locator, x, all));
+    ASSERT_NO_FATAL_FAILURE(ExpectAnswersFromAllStartDepths(locator, x, all, query++));
     ASSERT_EQ(locator.FindClosest(VTK_INT_MAX, x), GetIds(all, all.size()));
   }
 }

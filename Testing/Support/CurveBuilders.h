@@ -7,6 +7,7 @@
 #include "Sanitized.h"
 #include "TreePart.h"
 
+#include <array>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -173,12 +174,17 @@ std::vector<PointSample<Dim, double>> MakeDividedSamples()
   return samples;
 }
 
-/** Calls function(whole tree, builders) for all samples, limits and numbers of builders. */
+/** Calls function(whole tree, builders) for all samples, limits and numbers of builders; with a
+ * sanitizer, where that takes minutes, the numbers take turns. */
 template <int Dim, typename Function>
 void ForEachDivision(const Function& function)
 {
+  constexpr std::array<std::size_t, 4> numbers{ 1, 2, 3, 8 };
+  constexpr std::size_t step = Sanitized ? numbers.size() : 1;
+  std::size_t turn = 0;
   for (const auto& sample : MakeDividedSamples<Dim>())
   {
+    ++turn; // There are six limits: without this one, each would meet the same two numbers.
     for (const typename hashedoctree::Octree<Dim>::Options options :
       { typename hashedoctree::Octree<Dim>::Options{},
         { 3, hashedoctree::MortonKey<Dim>::MaxDepth }, { 1, 4 }, { 40, 2 }, { 1, 0 },
@@ -189,9 +195,9 @@ void ForEachDivision(const Function& function)
       {
         continue; // Nothing to divide.
       }
-      using Numbers = std::vector<std::size_t>;
-      for (const std::size_t number : Sanitized ? Numbers{ 4 } : Numbers{ 1, 2, 3, 8 })
+      for (std::size_t i = turn++ % step; i < numbers.size(); i += step)
       {
+        const std::size_t number = numbers[i];
         SCOPED_TRACE(::testing::Message()
           << sample.Name << ", " << number << " builders, at most " << options.MaxPointsPerLeaf
           << " points down to " << options.MaxDepth);
