@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StartDepths.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace hashedoctree
@@ -44,7 +45,8 @@ StartDepths<Dim>::StartDepths(const TreePart<Dim>& part, const StartDepthOptions
 template <int Dim>
 void StartDepths<Dim>::ChooseLocal(const TreePart<Dim>& part, FrequencyModel frequency)
 {
-  constexpr std::size_t numberOfCells = std::size_t(1) << (Dim * LocalDepth);
+  this->CellDepth = std::min(LocalDepth, part.GetDeepestDepth());
+  const std::size_t numberOfCells = std::size_t(1) << (Dim * this->CellDepth);
   const auto numberOfDepths = static_cast<std::size_t>(part.GetDeepestDepth()) + 1;
   std::vector<std::uint64_t> weights(numberOfCells * numberOfDepths);
   std::vector<std::uint64_t> leaves(numberOfCells * numberOfDepths);
@@ -52,8 +54,8 @@ void StartDepths<Dim>::ChooseLocal(const TreePart<Dim>& part, FrequencyModel fre
     [&](const typename Octree<Dim>::Node& leaf, std::uint64_t weight)
     {
       const auto depth = static_cast<std::size_t>(leaf.NodeKey.GetDepth());
-      const std::size_t last = GetCoarseCell(leaf.NodeKey.GetLastAtMaxDepth());
-      for (auto cell = GetCoarseCell(leaf.NodeKey.GetFirstAtMaxDepth()); cell <= last; ++cell)
+      const std::size_t last = this->GetCoarseCell(leaf.NodeKey.GetLastAtMaxDepth());
+      for (auto cell = this->GetCoarseCell(leaf.NodeKey.GetFirstAtMaxDepth()); cell <= last; ++cell)
       {
         weights[cell * numberOfDepths + depth] += weight;
         ++leaves[cell * numberOfDepths + depth];

@@ -24,7 +24,8 @@ template <int Dim>
 class StartDepths
 {
 public:
-  /** Depth of the coarse cells: at most 2^12 of them, one byte each. */
+  /** Depth of the coarse cells, or that of the deepest leaf where that is less: at most 2^12 of
+   * them, one byte each. */
   static constexpr int LocalDepth = 12 / Dim;
 
   /** All searches start at the root. */
@@ -36,7 +37,7 @@ public:
   /** The depth at which the search for a position starts, given its key at MaxDepth. */
   int Get(MortonKey<Dim> key) const
   {
-    return this->Local.empty() ? this->Everywhere : this->Local[GetCoarseCell(key)];
+    return this->Local.empty() ? this->Everywhere : this->Local[this->GetCoarseCell(key)];
   }
   /** The depth for the whole tree; of the Local model the one that Median has. */
   int GetOfTree() const { return this->Everywhere; }
@@ -50,14 +51,15 @@ public:
   double GetMeanCost(const TreePart<Dim>& part, FrequencyModel frequency) const;
 
 private:
-  static std::size_t GetCoarseCell(MortonKey<Dim> key)
+  std::size_t GetCoarseCell(MortonKey<Dim> key) const
   {
-    return static_cast<std::size_t>(key.AtDepth(LocalDepth).GetValue()) ^
-      (std::size_t(1) << (Dim * LocalDepth));
+    return static_cast<std::size_t>(key.AtDepth(this->CellDepth).GetValue()) ^
+      (std::size_t(1) << (Dim * this->CellDepth));
   }
   void ChooseLocal(const TreePart<Dim>& part, FrequencyModel frequency);
 
   int Everywhere = 0;
+  int CellDepth = 0; ///< Of the coarse cells.
   std::vector<std::uint8_t> Local;
 };
 }

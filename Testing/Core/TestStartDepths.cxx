@@ -128,6 +128,26 @@ TYPED_TEST(TestStartDepths, LocalTakesTheDepthOfALeafThatIsLarger)
   }
 }
 
+TYPED_TEST(TestStartDepths, LocalOfAShallowTreeHasCellsLikeItsDeepestLeaves)
+{
+  constexpr int dim = TypeParam::value;
+  for (const std::size_t count : { 0, 1, 12 })
+  {
+    const SampleTree<dim, double> made(
+      PointSample<dim, double>{ "few", MakeUniformPoints<dim, double>(count, 164) }, { 4 });
+    const int deepest = made.Tree.GetDeepestDepth();
+    ASSERT_LT(deepest, StartDepths<dim>::LocalDepth);
+    const StartDepths<dim> starts(made.Tree, { StartDepthModel::Local, FrequencyModel::Leaves, 0 });
+    const std::uint64_t cells = std::uint64_t(1) << (dim * deepest);
+    EXPECT_EQ(starts.GetBytes(), cells);
+    for (std::uint64_t cell = 0; cell < cells; ++cell)
+    {
+      const MortonKey<dim> key = MortonKey<dim>(cells + cell).GetLastAtMaxDepth();
+      EXPECT_EQ(starts.Get(key), FindLeaf(made.Tree, key, 0).Key.GetDepth());
+    }
+  }
+}
+
 TEST(TestStartDepthsFacts, LocalCostsLessWhereDensityVaries)
 {
   const SampleTree<3, double> made(MakeTwoDensities());
