@@ -19,7 +19,7 @@ public:
   explicit DuplicatePoints(vtkDataSet* dataSet)
   {
     if (dataSet->HasAnyGhostPoints() &&
-      dataSet->GetPointGhostArray()->GetNumberOfValues() >= dataSet->GetNumberOfPoints())
+      dataSet->GetPointGhostArray()->GetNumberOfValues() == dataSet->GetNumberOfPoints())
     {
       this->Marks = dataSet->GetPointGhostArray();
     }

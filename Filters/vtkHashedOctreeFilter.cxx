@@ -43,8 +43,11 @@ constexpr double ListShareOfNodes = 0.1;
 class vtkHashedOctreeFilter::Run
 {
 public:
-  explicit Run(vtkHashedOctreeFilter* filter)
+  /** `nodes` is output 0, which is of one type from the beginning of an update: whoever hears of
+   * its progress may have set the property since. */
+  Run(vtkHashedOctreeFilter* filter, vtkDataObject* nodes)
     : Self(filter)
+    , OutputType(GetOutputType(nodes, filter->OutputType))
   {
   }
 
@@ -70,13 +73,30 @@ public:
     return { nodes, histogram, costs };
   }
 
+private:
+  /** That of a data object, or, of one for blocks, the one that was asked for. */
+  static int GetOutputType(vtkDataObject* nodes, int asked)
+  {
+    switch (nodes->GetDataObjectType())
+    {
+      case VTK_UNSTRUCTURED_GRID:
+        return Voxels;
+      case VTK_POLY_DATA:
+        return Outlines;
+      case VTK_HYPER_TREE_GRID:
+        return HyperTreeGrid;
+      default:
+        return asked;
+    }
+  }
+
   /** What port 0 shows of a tree. */
   template <int Dim>
   vtkSmartPointer<vtkDataObject> MakeNodes(
     const PointsOctree<Dim>& octree, int startDepth, const Execution& execution) const
   {
     const bool showsEmptyLeaves = this->Self->GetIncludeEmptyLeaves();
-    if (this->Self->OutputType == HyperTreeGrid)
+    if (this->OutputType == HyperTreeGrid)
     {
       const auto grid = vtkSmartPointer<vtkHyperTreeGrid>::New();
       FillHyperTreeGrid(octree, startDepth, showsEmptyLeaves, grid, execution);
@@ -88,7 +108,7 @@ public:
     octree.CompletePoints(listed);
     const OctreeCells<Dim> cells(octree.Tree, startDepth, listed, octree.Frame);
     const Execution cellsExecution = execution.Part(ListShareOfNodes, 1.0);
-    if (this->Self->OutputType == Outlines)
+    if (this->OutputType == Outlines)
     {
       const auto outlines = vtkSmartPointer<vtkPolyData>::New();
       cells.MakeOutlines(outlines, cellsExecution);
@@ -141,6 +161,7 @@ public:
   }
 
   vtkHashedOctreeFilter* Self;
+  int OutputType;
 };
 
 vtkHashedOctreeFilter::vtkHashedOctreeFilter()
@@ -178,8 +199,8 @@ int vtkHashedOctreeFilter::RequestData(
         root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
       OctreePass pass(this, processes, root);
-      pass.Execute(
-        vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector), Run(this));
+      const OctreePass::Targets ports = OctreePass::GetPorts(outputVector);
+      pass.Execute(vtkDataObject::GetData(inputVector[0]), ports, Run(this, ports.front()));
       const ProcessGroup& together = pass.GetProcesses();
       if (pass.AreAllOutside() && HaveAllPieces(together, request, outputVector) &&
         together.IsFirst())

@@ -93,7 +93,7 @@ def _view(positions):
         raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}; one alone is [x]")
     if positions.dtype not in (numpy.float32, numpy.float64):
         positions = positions.astype(numpy.float64)
-    return numpy_to_vtk(positions)
+    return numpy_to_vtk(numpy.require(positions, requirements="A"))
 
 
 def _run(locator, search, *arguments):

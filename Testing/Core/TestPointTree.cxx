@@ -10,6 +10,10 @@
 
 #include <utility>
 
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
 using namespace hashedoctree;
 
 template <typename Dimension>
@@ -240,6 +244,22 @@ TEST(TestPointTreeFacts, LeavesAtTheLastDepthHaveTreesOfTheirOwn)
   const PointTree<3, double> shallow(points, selection, { 8, 20 }, Execution());
   EXPECT_EQ(shallow.FindNested(0), nullptr);
 }
+
+#if defined(__SSE2__)
+TEST(TestPointTreeFacts, NestedTreesEndWhereDifferencesAreFlushedToZero)
+{
+  std::vector<double> coordinates = MakeUniformPoints<3, double>(300, 150, 0.0, 1e-310);
+  coordinates.insert(coordinates.end(), 3, 1.0);
+  const PointSpan<3, double> points{ coordinates.data(), 301 };
+  const unsigned mode = _MM_GET_FLUSH_ZERO_MODE();
+  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+  const PointTree<3, double> tree(
+    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  _MM_SET_FLUSH_ZERO_MODE(mode);
+  EXPECT_EQ(tree.GetNumberOfPoints(), 301U);
+  EXPECT_EQ(tree.FindNested(0), nullptr);
+}
+#endif
 
 TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
 {

@@ -163,6 +163,35 @@ TEST(TestHashedOctreeFilterExecution, AnAbortLeavesEmptyOutputsAndALaterUpdateSu
   EXPECT_EQ(filter.Warnings, std::vector<std::string>());
 }
 
+TEST(TestHashedOctreeFilterExecution, AnOutputTypeThatIsSetMeanwhileChangesNothing)
+{
+  using Types = vtkHashedOctreeFilter;
+  const auto points = MakeManyPoints(100, 66);
+  for (const int before : { Types::Voxels, Types::Outlines, Types::HyperTreeGrid })
+  {
+    TestedFilter untroubled;
+    untroubled->SetInputData(points);
+    untroubled->SetOutputType(before);
+    untroubled->Update();
+    vtkDataObject* expected = untroubled->GetOutputDataObject(0);
+    for (const int after : { Types::Voxels, Types::Outlines, Types::HyperTreeGrid })
+    {
+      TestedFilter filter;
+      filter->SetInputData(points);
+      filter->SetOutputType(before);
+      const ProgressWatch watch(
+        filter.GetFilter(), 0.0, [&filter, after] { filter->SetOutputType(after); });
+      filter->Update();
+      EXPECT_EQ(filter->GetOutputType(), after);
+      vtkDataObject* output = filter->GetOutputDataObject(0);
+      EXPECT_EQ(output->GetDataObjectType(), expected->GetDataObjectType());
+      EXPECT_EQ(output->GetNumberOfElements(vtkDataObject::CELL),
+        expected->GetNumberOfElements(vtkDataObject::CELL));
+      EXPECT_EQ(output->GetAttributes(vtkDataObject::CELL)->GetNumberOfArrays(), 5);
+    }
+  }
+}
+
 TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
 {
   // One thread has the longest way from one look at the abort flag to the next. The abort at the
