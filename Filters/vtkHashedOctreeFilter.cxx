@@ -12,6 +12,7 @@
 #include "PassFieldData.h"
 #include "PieceRequest.h"
 
+#include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
 #include "vtkHyperTreeGrid.h"
 #include "vtkIdTypeArray.h"
@@ -43,11 +44,10 @@ constexpr double ListShareOfNodes = 0.1;
 class vtkHashedOctreeFilter::Run
 {
 public:
-  /** `nodes` is output 0, which is of one type from the beginning of an update: whoever hears of
-   * its progress may have set the property since. */
-  Run(vtkHashedOctreeFilter* filter, vtkDataObject* nodes)
+  /** `typeOfNodes` is the data object that port 0 has of a tree. */
+  Run(vtkHashedOctreeFilter* filter, int typeOfNodes)
     : Self(filter)
-    , OutputType(GetOutputType(nodes, filter->OutputType))
+    , TypeOfNodes(typeOfNodes)
   {
   }
 
@@ -74,29 +74,13 @@ public:
   }
 
 private:
-  /** That of a data object, or, of one for blocks, the one that was asked for. */
-  static int GetOutputType(vtkDataObject* nodes, int asked)
-  {
-    switch (nodes->GetDataObjectType())
-    {
-      case VTK_UNSTRUCTURED_GRID:
-        return Voxels;
-      case VTK_POLY_DATA:
-        return Outlines;
-      case VTK_HYPER_TREE_GRID:
-        return HyperTreeGrid;
-      default:
-        return asked;
-    }
-  }
-
   /** What port 0 shows of a tree. */
   template <int Dim>
   vtkSmartPointer<vtkDataObject> MakeNodes(
     const PointsOctree<Dim>& octree, int startDepth, const Execution& execution) const
   {
     const bool showsEmptyLeaves = this->Self->GetIncludeEmptyLeaves();
-    if (this->OutputType == HyperTreeGrid)
+    if (this->TypeOfNodes == VTK_HYPER_TREE_GRID)
     {
       const auto grid = vtkSmartPointer<vtkHyperTreeGrid>::New();
       FillHyperTreeGrid(octree, startDepth, showsEmptyLeaves, grid, execution);
@@ -108,7 +92,7 @@ private:
     octree.CompletePoints(listed);
     const OctreeCells<Dim> cells(octree.Tree, startDepth, listed, octree.Frame);
     const Execution cellsExecution = execution.Part(ListShareOfNodes, 1.0);
-    if (this->OutputType == Outlines)
+    if (this->TypeOfNodes == VTK_POLY_DATA)
     {
       const auto outlines = vtkSmartPointer<vtkPolyData>::New();
       cells.MakeOutlines(outlines, cellsExecution);
@@ -161,7 +145,7 @@ private:
   }
 
   vtkHashedOctreeFilter* Self;
-  int OutputType;
+  int TypeOfNodes;
 };
 
 vtkHashedOctreeFilter::vtkHashedOctreeFilter()
@@ -200,7 +184,11 @@ int vtkHashedOctreeFilter::RequestData(
       }
       OctreePass pass(this, processes, root);
       const OctreePass::Targets ports = OctreePass::GetPorts(outputVector);
-      pass.Execute(vtkDataObject::GetData(inputVector[0]), ports, Run(this, ports.front()));
+      // Whoever hears of the progress may have set the property since output 0 was made.
+      const int typeOfNodes = vtkDataObjectTree::SafeDownCast(ports.front()) != nullptr
+        ? this->GetTypeOfOutput(0, inputVector)
+        : ports.front()->GetDataObjectType();
+      pass.Execute(vtkDataObject::GetData(inputVector[0]), ports, Run(this, typeOfNodes));
       const ProcessGroup& together = pass.GetProcesses();
       if (pass.AreAllOutside() && HaveAllPieces(together, request, outputVector) &&
         together.IsFirst())

@@ -94,7 +94,8 @@ public:
   };
 
   ///@{
-  /** One of OutputTypes; default Voxels. */
+  /** One of OutputTypes; default Voxels. Set while the filter runs, it counts from the next run on.
+   */
   vtkSetClampMacro(OutputType, int, Voxels, HyperTreeGrid);
   vtkGetMacro(OutputType, int);
   ///@}

@@ -28,10 +28,10 @@ __all__ = ["make_points", "find_closest_points", "find_closest_n_points", "find_
 
 
 def make_points(positions):
-    """A vtkPolyData with these points and no cells, to give to SetDataSet(). It views an array of
-    float32 or float64 in C order, and copies any other. The locator has a copy of its own from its
-    first query on: after a change of a viewed array call GetPoints().Modified() of the vtkPolyData,
-    of any other make new points."""
+    """A vtkPolyData with these points and no cells, to give to SetDataSet(). It views an aligned
+    array of float32 or float64 in C order, and copies any other. The locator has a copy of its own
+    from its first query on: after a change of a viewed array call GetPoints().Modified() of the
+    vtkPolyData, of any other make new points."""
     points = vtkPoints()
     points.SetData(_view(positions))
     data = vtkPolyData()
@@ -71,12 +71,12 @@ def find_points_within_radius(locator, radius, positions):
 
 
 def _to_reals(values, requirement):
-    """An array of real numbers, in C order; the requirement is what errors begin with."""
+    """An aligned array of real numbers, in C order; the requirement is what errors begin with."""
     rows = values if isinstance(values, (list, tuple)) else ()
     in_rows = (value for row in rows if isinstance(row, (list, tuple)) for value in row)
     if any(map(numpy.ma.isMaskedArray, chain((values,), rows, in_rows))):
         raise TypeError(f"{requirement}, not masked; give the values that count")
-    array = numpy.asarray(values, order="C")
+    array = numpy.require(values, requirements="CAE")
     if array.dtype.kind not in "biufO":
         raise TypeError(f"{requirement}, not {array.dtype}")
     if array.dtype.kind == "O":
@@ -93,7 +93,7 @@ def _view(positions):
         raise ValueError(f"positions must have the shape (m, 3), not {positions.shape}; one alone is [x]")
     if positions.dtype not in (numpy.float32, numpy.float64):
         positions = positions.astype(numpy.float64)
-    return numpy_to_vtk(numpy.require(positions, requirements="A"))
+    return numpy_to_vtk(positions)
 
 
 def _run(locator, search, *arguments):

@@ -245,7 +245,7 @@ TEST(TestPointTreeFacts, LeavesAtTheLastDepthHaveTreesOfTheirOwn)
   EXPECT_EQ(shallow.FindNested(0), nullptr);
 }
 
-#if defined(__SSE2__)
+#if defined(__SSE2__) // Elsewhere the mode is set in other ways.
 TEST(TestPointTreeFacts, NestedTreesEndWhereDifferencesAreFlushedToZero)
 {
   std::vector<double> coordinates = MakeUniformPoints<3, double>(300, 150, 0.0, 1e-310);

@@ -4,6 +4,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 import numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkIdList, vtkObject
 from hashedoctree import vtkHashedOctreePointLocator
 from hashedoctree.arrays import (
@@ -77,6 +78,11 @@ assert (ids == order[:, 0]).all()
 ids, _ = find_closest_points(locator, [[0, 0, 0], [1, 1, 1]])
 ids_of_view, _ = find_closest_points(locator, positions[::2])
 assert (ids_of_view == order[::2, 0]).all()
+unaligned = numpy.frombuffer(b"-" + positions.tobytes(), positions.dtype, offset=1).reshape(-1, 3)
+assert not unaligned.flags.aligned
+assert vtk_to_numpy(make_points(unaligned).GetPoints().GetData()).flags.aligned
+ids_of_unaligned, _ = find_closest_points(locator, unaligned)
+assert (ids_of_unaligned == order[:, 0]).all()
 del locator, positions
 assert len(ids) == 2 and (ids >= 0).all()
 
