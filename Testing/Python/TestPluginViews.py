@@ -95,6 +95,16 @@ for composite in (blocks, partitions):
             labels, fewer = drawn(shown)
             assert labels == LABELS[port] and fewer < rows, (labels, fewer, rows)
 
+# The charts take tables only: of a mesh, or a line, they would draw nothing but a legend.
+line = simple.PlotOverLine(Input=simple.Wavelet())
+line.UpdatePipeline()
+for port in (1, 2):
+    view, _ = show(port)
+    for filter_ in (octree, of_composite):
+        assert view.SMProxy.CanDisplayData(filter_.SMProxy, port)
+        assert not view.SMProxy.CanDisplayData(filter_.SMProxy, 0)
+    assert not view.SMProxy.CanDisplayData(line.SMProxy, 0)
+
 # Query points without cells must be seen, too.
 locate = simple.HashedOctreeLocate(Input=octree.Input, QueryPoints=simple.PointSource())
 locate.UpdatePipeline()
