@@ -22,8 +22,10 @@ class BallInGrid
 public:
   using Key = MortonKey<Dim>;
 
-  /** More than a sum of squares may lose because the squares are too small for a double. */
-  static constexpr double Underflow = 1e-322;
+  /** More than a sum of squares may lose because the squares are too small for a double. Itself not
+   * that small, nor in cells of most boxes: some machines take as long to multiply such a number as
+   * to find the points of the leaf. */
+  static constexpr double Underflow = 1e-300;
 
   /** Whether squared lengths are neither too small nor too large when they are multiplied by a
    * squared ratio of units. */

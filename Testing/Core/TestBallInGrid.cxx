@@ -3,6 +3,7 @@
 
 #include "Dimensions.h"
 
+#include <limits>
 #include <random>
 
 using namespace hashedoctree;
@@ -166,6 +167,21 @@ TYPED_TEST(TestBallInGrid, FitsInTheCellsThatHoldIt)
       EXPECT_FALSE(fits(0.51 / 16.0));
     }
     center[axis] = 5.0 / 16.0;
+  }
+}
+
+TYPED_TEST(TestBallInGrid, RoomForLostSquaresIsNoDenormalNumber)
+{
+  constexpr int dim = TypeParam::value;
+  using Ball = BallInGrid<dim>;
+  EXPECT_GT(Ball::Underflow, dim * std::numeric_limits<double>::min());
+  for (const double side : { 1e-100, 1.0, 1e8 })
+  {
+    Position<dim> upper;
+    upper.fill(side);
+    const double cells = Grid<dim>(Box<dim>(Position<dim>{}, upper)).GetCellsPerLength();
+    EXPECT_GE(Ball::Underflow * (cells * cells), std::numeric_limits<double>::min()) << side;
+    EXPECT_LT(Ball::Underflow * (cells * cells), 1e-9) << side;
   }
 }
 
