@@ -5,8 +5,10 @@
 function (configure project work)
   set(work "${BINARY_DIR}/Testing/${work}")
   file(REMOVE_RECURSE "${work}")
+  # As deep as the sources: VTK 9.1 builds ../../Filters in ../../Filters of the build, not to be our own.
   execute_process(COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}"
-    -S "${SOURCE_DIR}/Testing/${project}" -B "${work}" "-DHASHEDOCTREE_SOURCE_DIR=${SOURCE_DIR}" ${ARGN}
+    -S "${SOURCE_DIR}/Testing/${project}" -B "${work}/Testing/${project}"
+    "-DHASHEDOCTREE_SOURCE_DIR=${SOURCE_DIR}" ${ARGN}
     COMMAND_ERROR_IS_FATAL ANY)
 endfunction ()
 
