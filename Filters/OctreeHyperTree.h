@@ -21,8 +21,9 @@ inline void RequireHyperTreeVertices(std::size_t nodes)
 {
   if (nodes > MaxNumberOfHyperTreeVertices)
   {
-    throw std::length_error("The tree has more nodes than a vtkHyperTreeGrid can; choose Voxels or "
-                            "Outlines, or allow more points per leaf or less depth.");
+    throw std::length_error(
+      "The tree has more nodes than a vtkHyperTreeGrid can hold; choose Voxels "
+      "or Outlines, or allow more points per leaf or less depth.");
   }
 }
 

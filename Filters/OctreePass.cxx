@@ -22,6 +22,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <stdexcept>
 

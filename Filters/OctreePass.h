@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <optional>
+#include <variant>
 #include <vector>
 
 class vtkHashedOctreeAlgorithm;
@@ -86,9 +87,9 @@ private:
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;
   std::optional<Box<3>> Root;
-  std::uint64_t AllPoints = 0;      ///< Of this process, in the end of all;
-  std::uint64_t SkippedPoints = 0;  ///< so, too.
-  std::uint64_t UsedPoints = 0;     ///< Of all.
+  std::uint64_t AllPoints = 0;      ///< Of this process, and in the end of all processes;
+  std::uint64_t SkippedPoints = 0;  ///< the same.
+  std::uint64_t UsedPoints = 0;     ///< Of all processes.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
 };
 }

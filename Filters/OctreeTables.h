@@ -18,8 +18,8 @@ void FillDepthHistogram(vtkTable* table, const DepthCounts& counts, int dimensio
 
 /** Fills the columns StartDepth, CostLeaves, CostPoints, CostGrid (modelled), MeasuredLeaves,
  * MeasuredPoints (counted) and ContinuousLeaves (the differentiable cost at StartDepth + 1/2, paper
- * E8): mean nodes examined by one search, one row for each start depth from 0 to the deepest of a
- * tree in `dimension` dimensions. Private to the module. */
+ * E8): mean nodes examined by one search, one row for each start depth from 0 to the deepest, and
+ * to 1 at least, of a tree in `dimension` dimensions. Private to the module. */
 void FillCostCurves(
   vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured, int dimension);
 

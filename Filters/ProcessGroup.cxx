@@ -138,7 +138,7 @@ std::size_t ProcessGroup::GetSendable(const Counts& counts)
   const std::size_t sum = std::accumulate(counts.begin(), counts.end(), std::size_t(0));
   if (sum > static_cast<std::size_t>(std::numeric_limits<int>::max()))
   {
-    throw std::length_error("A process would get more than MPI can send at a time; have more "
+    throw std::length_error("A process would get more than MPI can send at a time; run more "
                             "processes.");
   }
   return sum;

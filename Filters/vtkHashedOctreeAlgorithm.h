@@ -12,7 +12,7 @@
  *
  * The tree is an octree or, of points in a plane across an axis, a quadtree: a square in two of the
  * coordinates, split into four. Its cells lie in the plane through the lowest third coordinate of
- * the points that take part (of the custom bounds, where the filter has them and uses them); the
+ * the points (of the custom bounds, where the filter has them and uses them); the
  * third coordinate has no other effect, but that a point where it is not finite is left out as in
  * an octree. Each block of a composite data set has the dimension and the plane that its own points
  * ask for; set Dimension and Plane to have one of all.
@@ -21,8 +21,9 @@
  * when as many pieces are asked for as there are processes, and of each the one of its rank, as
  * ParaView does. All of them have to update the filter then, and what changes in one, be it the
  * filter or its input, has to be Modified() in all: each waits for the others. What fails in one,
- * or is aborted there, ends it in all, with an error in the others; then, too, call
- * Modified() in all, where other filters follow, which else take it for done.
+ * or is aborted there, ends it in all, with an error in the others; the next update runs again in
+ * all. But where other filters follow, call Modified() in all before it: those take what they have
+ * for up to date, and ask for nothing.
  *
  * The points of all pieces are in the tree, and equal ones count each. Points that VTK marks as
  * another piece's (vtkGhostType has DUPLICATEPOINT) are left to that one, on one process as on
@@ -48,8 +49,8 @@ public:
   vtkTypeMacro(vtkHashedOctreeAlgorithm, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
-   * volume (paper section 4). */
+  /** How often a leaf is searched for: once, empty or not, once for each of its points, or in
+   * proportion to its volume (paper section 4). */
   enum FrequencyModels
   {
     Leaves = 0,
@@ -112,16 +113,16 @@ public:
   /** Whether points in one cell of the grid (2^21 cells along each axis of an octree, 2^31 of a
    * quadtree, whatever MaxDepth) count as one: equal points, and such as differ in their last
    * digits, but for those with a border of cells between them, as in the middle of the root. Else
-   * they share a leaf at MaxDepth where they are more than MaxPointsPerLeaf,
-   * which is then too small to be seen. Default off. */
+   * they share a leaf at MaxDepth where they are more than MaxPointsPerLeaf, which at the default
+   * MaxDepth is too small to be seen. Default off. */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);
   vtkBooleanMacro(MergePoints, bool);
   ///@}
 
   ///@{
-  /** Depth below which nothing is split, in [0, 31]; default 21. In octrees, whose keys end there,
-   * more than 21 is 21. */
+  /** The last depth: leaves there are not split, however many points they hold. In [0, 31]; default
+   * 21. In octrees, whose keys end there, more than 21 is 21. */
   vtkSetClampMacro(MaxDepth, int, 0, 31);
   vtkGetMacro(MaxDepth, int);
   ///@}
@@ -155,8 +156,10 @@ public:
   ///@}
 
   ///@{
-  /** Whether octants without points are leaves: in the output, and to searches. Default off, but on
-   * in vtkHashedOctreeNeighborsFilter. */
+  /** Whether octants without points are leaves where leaves are given: as cells of output 0 of
+   * vtkHashedOctreeFilter, as neighbours of vtkHashedOctreeNeighborsFilter, and in the numbers that
+   * vtkHashedOctreeLocateFilter gives them. Start depths, costs and tables always count them.
+   * Default off, but on in vtkHashedOctreeNeighborsFilter. */
   vtkSetMacro(IncludeEmptyLeaves, bool);
   vtkGetMacro(IncludeEmptyLeaves, bool);
   vtkBooleanMacro(IncludeEmptyLeaves, bool);

@@ -51,7 +51,7 @@
  * (the paper's differentiable cost at StartDepth + 1/2).
  *
  * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite,
- * or further from 0 than a quarter of the largest double (4.4e307), are left out with one warning.
+ * or further from 0 than a quarter of the largest double (4.49e307), are left out with one warning.
  * An input without points, or without one that can be used, has no tree: the outputs are empty, of
  * a composite input the block is null. Where all points lie outside CustomBounds a warning says so,
  * unless other pieces are missing. After an error, which is said once, the outputs are empty, too;
@@ -121,7 +121,7 @@ public:
 
   ///@{
   /** (xmin, xmax, ymin, ymax, zmin, zmax) in world units, each minimum at most its maximum; default
-   * the unit cube. Bounds that are turned around, not finite or beyond 4.4e307 are an error. */
+   * the unit cube. Bounds that are turned around, not finite or beyond 4.49e307 are an error. */
   vtkSetVector6Macro(CustomBounds, double);
   vtkGetVector6Macro(CustomBounds, double);
   ///@}

@@ -14,19 +14,21 @@
  * composite data sets every block by itself, with a table of its own.
  *
  * Where one input is composite, both outputs are so, with a block for each of its, the tables in a
- * vtkMultiBlockDataSet; null where there is nothing to search in or for: of a block without points
- * (or, in input port 0, without finite ones), and of one that is no vtkPointSet (in input port 1,
- * no vtkDataSet). Where both inputs are composite, both outputs are vtkMultiBlockDataSets with the
- * structure of the queries, in which each block of queries is again one, with a block for each of
- * the points; no other composite data set may hold such blocks. Blocks keep their names. AMR
- * queries together with composite points are an error.
+ * vtkMultiBlockDataSet; null for a block without points (or, of input port 0, without finite ones),
+ * and for one that is no vtkPointSet (of input port 1, no vtkDataSet). Where both inputs are
+ * composite, both outputs are vtkMultiBlockDataSets with the structure of the queries, in which
+ * each block of queries is again one, with a block for each of the points; no other composite data
+ * set may hold such blocks. Blocks keep their names. AMR queries together with composite points are
+ * an error.
  *
  * Output port 0, of the kind of the queries: the queries as they are, with point arrays, one value
  * per query (arrays of the same names are replaced):
  * - LeafId (vtkIdType): cell of vtkHashedOctreeFilter's port 0, as voxels or outlines, that holds
  *   the query, for the same tree properties and IncludeEmptyLeaves, and without internal nodes;
  *   without empty leaves, in an octree, without MergePoints and points that are another piece's,
- *   also what vtkHashedOctreePointLocator::GetLeafId() gives. -1 where there is no such cell;
+ *   also what vtkHashedOctreePointLocator::GetLeafId() gives. -1 where there is no such cell. More
+ *   than 2^32 - 1 leaves, which only IncludeEmptyLeaves makes (unless built with
+ *   HASHEDOCTREE_64BIT_IDS), are an error;
  * - LeafDepth (int): depth of the leaf, or of the empty cell without a LeafId;
  * - LeafKey (unsigned 64-bit): its Morton key;
  * - HitCost (int, active scalars): nodes that the search from the chosen start depth examines;

@@ -61,8 +61,9 @@ int GetCase(NeighborCase neighborCase)
 
 /** The query leaf, where it is given, then its neighbours. */
 template <int Dim>
-Buffer<Node<Dim>> ListNodes(const Octree<Dim>& tree, const std::optional<Node<Dim>>& query,
-  const Neighbors<Dim>& neighbors, const Execution& execution)
+Buffer<Node<Dim>> ListQueryAndNeighbors(const Octree<Dim>& tree,
+  const std::optional<Node<Dim>>& query, const Neighbors<Dim>& neighbors,
+  const Execution& execution)
 {
   const std::size_t queries = query ? 1 : 0;
   Buffer<Node<Dim>> nodes(queries + neighbors.size());
@@ -265,7 +266,7 @@ private:
     // The query leaf stands apart: what draws boxes leaves out faces that two of them share, all of
     // it among neighbours of its depth, and goes by the points, so that its edges are drawn last.
     const std::size_t apart = listed ? 1 : 0;
-    const Buffer<Node<Dim>> nodes = ListNodes<Dim>(
+    const Buffer<Node<Dim>> nodes = ListQueryAndNeighbors<Dim>(
       octree.Tree, listed, neighbors, execution.Part(OctreePass::BuildShare, NodesShare));
     OctreeCells<Dim>(octree.Tree, startDepth, nodes, octree.Frame, apart)
       .MakeVoxels(cells, execution.Part(NodesShare, CellsShare));

@@ -26,12 +26,13 @@
  * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
  * - A position may lie anywhere, any number of widths away from the data. One that is not finite
  *   has no closest point (-1, or an empty list).
- * - Without points, or without a data set, queries find nothing (-1, or an empty list), silently;
- *   without a data set those of the tree that UseExistingSearchStructure has kept.
+ * - Without points, or without a data set, queries find nothing (-1, or an empty list), silently.
+ *   (But a tree that UseExistingSearchStructure, which VTK 9.1 does not have, keeps still answers
+ *   after SetDataSet(nullptr).)
  * - Lists are always reset first. A squared distance is set exactly when a point is found.
  * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
- *   double (4.4e307), are never found; each build that meets some says so in one warning with their
- *   number, when it is done.
+ *   double (4.49e307), are never found; each build that meets some says so in one warning with
+ *   their number, when it is done.
  * - Ghost points and hidden ones (vtkGhostType) are points like all others.
  * - One point, points that are all equal, few points far from many: all as above. Leaves at depth
  *   21 with more than four times as many points as they may hold (at least 32) have trees of their
@@ -43,19 +44,21 @@
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
- * the data set may be changed, emptied or replaced between queries. A change inside its cells or
- * attributes asks for no new tree of vtkPointSet, vtkPolyData, vtkStructuredGrid or
- * vtkUnstructuredGrid with vtkPoints in a vtkFloatArray, vtkDoubleArray, vtkTypeFloat32Array or
- * vtkTypeFloat64Array, but new cells of vtkPolyData and vtkStructuredGrid do (SetPolys()); of other
- * data, and of other classes derived from these, every change that GetMTime() tells of does, and
- * each query takes the time to ask for it. (After one in the coordinate arrays of a
- * vtkRectilinearGrid, call its Modified().) After
- * BuildLocator(), called directly or by a query, the queries are thread safe as long as nothing is
- * modified. The build runs on the threads of vtkSMPTools; its result does not depend on their
- * number. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal
- * nodes; more, or not enough memory, is an error, after which queries find nothing. A query that
- * has not enough memory for what it finds is an error, too, and finds nothing; so is one without a
- * list to put its ids into.
+ * the data set may be changed, emptied or replaced between queries. Which changes are noticed:
+ * - Of a vtkPointSet, vtkPolyData, vtkStructuredGrid or vtkUnstructuredGrid, of no class derived
+ *   from these, with vtkPoints in a vtkFloatArray, vtkDoubleArray, vtkTypeFloat32Array or
+ *   vtkTypeFloat64Array: Modified() of the data set, of the points or of their array. Changes
+ *   inside cells or attributes are not, and need no new tree. (New cells of vtkPolyData or
+ *   vtkStructuredGrid, as by SetPolys(), are Modified() of the data set.)
+ * - Of all other data: what GetMTime() tells of. Each query takes the time to ask for it.
+ * - In the coordinate arrays of a vtkRectilinearGrid: none; call Modified() of the grid.
+ *
+ * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
+ * nothing is modified. The build runs on the threads of vtkSMPTools; its result does not depend on
+ * their number. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
+ * internal nodes; more, or not enough memory, is an error, after which queries find nothing. A
+ * query that has not enough memory for what it finds is an error, too, and finds nothing; so is one
+ * without a list to put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
@@ -101,7 +104,8 @@ public:
 
   /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
    * the nearest depth, at the root (the classical search, from there down), at FixedStartDepth, or
-   * at the weighted median of the leaves near the position: those in the same one of 4096 cells.
+   * at the weighted median of the leaves near the position: those in the same one of at most 4096
+   * cells.
    * Where it is known that no points are near the position, the closest ones are always searched
    * for from the root. */
   enum StartDepthModels
@@ -120,8 +124,9 @@ public:
   ///@}
 
   ///@{
-  /** Depth below which nothing is split, in [0, 21]; default 21. It is vtkLocator's MaxLevel under
-   * the name that it has elsewhere in the module; a MaxLevel above 21 counts as 21. */
+  /** The last depth: leaves there are not split, however many points they hold. In [0, 21]; default
+   * 21. It is vtkLocator's MaxLevel under the name that it has elsewhere in the module; a MaxLevel
+   * above 21 counts as 21. */
   void SetMaxDepth(int depth);
   int GetMaxDepth() const;
   ///@}
@@ -193,7 +198,8 @@ public:
    * with 64-bit ids) for each of that million in the meantime; FindPointsWithinRadius() also holds
    * all that it finds twice.
    *
-   * Call from one thread at a time; builds the tree if it must.
+   * One batch at a time, but AbortBatch() may be called at any time, by any thread. Builds the tree
+   * if it must.
    */
   bool FindClosestPoints(vtkDataArray* queries, vtkIdTypeArray* ids, vtkDoubleArray* dist2);
   bool FindClosestNPoints(
@@ -222,7 +228,8 @@ public:
   /**
    * How many nodes the query of that name examines: looks into the hash table, and into the
    * children of a node. The query is made and counted; the others count nothing, and are no
-   * slower for it. 0 where there is nothing to search for. Thread safe after a build.
+   * slower for it. 0 where there is nothing to search for or in, and where one look into the map of
+   * free space, which does not count, tells that a ball is empty. Thread safe after a build.
    */
   vtkIdType GetClosestPointCost(const double x[3]);
   vtkIdType GetClosestNPointsCost(int count, const double x[3]);

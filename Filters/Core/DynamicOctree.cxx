@@ -37,7 +37,7 @@ bool DynamicOctree<Dim>::Insert(std::uint32_t id, const Position<Dim>& x)
   const Key key = this->GetKey(x);
   if (id == NoPoint)
   {
-    throw std::invalid_argument("The id of a point must be smaller.");
+    throw std::invalid_argument("The id of a point must be below 2^32 - 1.");
   }
   if (this->HasPoint(id))
   {

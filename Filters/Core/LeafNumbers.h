@@ -30,7 +30,7 @@ public:
       tree.GetNumberOfLeaves() > std::numeric_limits<PointIndex>::max())
     {
       throw std::length_error(
-        "The tree has more leaves than can be numbered; leave out empty ones.");
+        "The tree has more leaves than can be numbered; leave out the empty ones.");
     }
     PointIndex number = 0;
     for (std::size_t block = 0; block < this->First.GetSize(); ++block)

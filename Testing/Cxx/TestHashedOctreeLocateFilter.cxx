@@ -33,6 +33,7 @@ std::vector<double> MakeQueries(std::size_t count, unsigned seed)
 void CopyProperties(Filter* filter, vtkHashedOctreeFilter* shown)
 {
   shown->SetMaxPointsPerLeaf(filter->GetMaxPointsPerLeaf());
+  shown->SetMergePoints(filter->GetMergePoints());
   shown->SetMaxDepth(filter->GetMaxDepth());
   shown->SetFrequencyModel(filter->GetFrequencyModel());
   shown->SetStartDepthModel(filter->GetStartDepthModel());
@@ -97,6 +98,7 @@ TEST(TestHashedOctreeLocateFilter, HasTheDocumentedDefaults)
   EXPECT_EQ(filter->GetDimension(), Filter::Auto);
   EXPECT_EQ(filter->GetPlane(), Filter::Widest);
   EXPECT_EQ(filter->GetMaxPointsPerLeaf(), 1);
+  EXPECT_FALSE(filter->GetMergePoints());
   EXPECT_EQ(filter->GetMaxDepth(), 21);
   EXPECT_EQ(filter->GetFrequencyModel(), Filter::Leaves);
   EXPECT_EQ(filter->GetStartDepthModel(), Filter::Median);
@@ -131,6 +133,7 @@ TEST(TestHashedOctreeLocateFilter, PrintsEveryProperty)
   filter->SetDimension(Filter::Two);
   filter->SetPlane(Filter::YZ);
   filter->SetMaxPointsPerLeaf(11);
+  filter->MergePointsOn();
   filter->SetMaxDepth(12);
   filter->SetFrequencyModel(Filter::Grid);
   filter->SetStartDepthModel(Filter::Fixed);
@@ -139,8 +142,8 @@ TEST(TestHashedOctreeLocateFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* line :
-    { "Dimension: 2", "Plane: 2", "MaxPointsPerLeaf: 11", "MaxDepth: 12", "FrequencyModel: 2",
-      "StartDepthModel: 3", "FixedStartDepth: 13", "IncludeEmptyLeaves: 1" })
+    { "Dimension: 2", "Plane: 2", "MaxPointsPerLeaf: 11", "MergePoints: 1", "MaxDepth: 12",
+      "FrequencyModel: 2", "StartDepthModel: 3", "FixedStartDepth: 13", "IncludeEmptyLeaves: 1" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line << " is not in\n" << text.str();
   }
@@ -173,6 +176,22 @@ TEST(TestHashedOctreeLocateFilter, EachQueryIsInTheCellThatItsLeafIdNames)
       filter.Update();
       ExpectCells(filter, points);
     }
+  }
+}
+
+TEST(TestHashedOctreeLocateFilter, MergedPointsMakeTheSameLeaves)
+{
+  // Each point twice, so that without merging leaves end at the last depth.
+  const std::vector<double> once = MakeTwoDensities(120, 305);
+  std::vector<double> twice = once;
+  twice.insert(twice.end(), once.begin(), once.end());
+  const auto points = MakePolyData(twice);
+  TestedLocateFilter filter(points, MakePolyData(MakeQueries(100, 307)));
+  for (const bool merge : { false, true })
+  {
+    filter->SetMergePoints(merge);
+    filter.Update();
+    ExpectCells(filter, points);
   }
 }
 
@@ -380,9 +399,13 @@ TEST(TestHashedOctreeLocateFilter, RunsOnlyAfterAChange)
     filter.Update();
     EXPECT_EQ(filter.Executions, ++executions);
   };
+  filter->SetPlane(Filter::XZ);
+  expectRun();
   filter->SetDimension(Filter::Three);
   expectRun();
   filter->SetMaxPointsPerLeaf(2);
+  expectRun();
+  filter->MergePointsOn();
   expectRun();
   filter->SetMaxDepth(3);
   expectRun();

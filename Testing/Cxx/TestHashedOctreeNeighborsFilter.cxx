@@ -204,7 +204,14 @@ vtkIdType GetStep(const ShownLeaves& leaves)
 TEST(TestHashedOctreeNeighborsFilter, PrintsEveryProperty)
 {
   vtkNew<Filter> filter;
+  filter->SetDimension(Filter::Two);
+  filter->SetPlane(Filter::YZ);
+  filter->SetMaxPointsPerLeaf(11);
+  filter->MergePointsOn();
   filter->SetMaxDepth(12);
+  filter->SetFrequencyModel(Filter::Grid);
+  filter->SetStartDepthModel(Filter::Fixed);
+  filter->SetFixedStartDepth(14);
   filter->SetSearchMode(Filter::InRadius);
   filter->SetCenter(1.5, 2.5, 3.5);
   filter->UseLeafKeyOn();
@@ -212,8 +219,10 @@ TEST(TestHashedOctreeNeighborsFilter, PrintsEveryProperty)
   filter->SetRadius(0.25);
   std::ostringstream text;
   filter->Print(text);
-  for (const char* line : { "MaxDepth: 12", "SearchMode: 1", "Center: 1.5, 2.5, 3.5",
-         "UseLeafKey: 1", "LeafKey: 13", "Radius: 0.25" })
+  for (const char* line :
+    { "Dimension: 2", "Plane: 2", "MaxPointsPerLeaf: 11", "MergePoints: 1", "MaxDepth: 12",
+      "FrequencyModel: 2", "StartDepthModel: 3", "FixedStartDepth: 14", "IncludeEmptyLeaves: 1",
+      "SearchMode: 1", "Center: 1.5, 2.5, 3.5", "UseLeafKey: 1", "LeafKey: 13", "Radius: 0.25" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line << " is not in\n" << text.str();
   }
@@ -440,6 +449,15 @@ TEST(TestHashedOctreeNeighborsFilter, TreeOptionsAreThoseOfTheOctreeFilter)
   filter->SetCenter(leaves.GetCenter(3).data());
   filter.Update();
   ExpectNeighbors(filter, leaves, 3, leaves.FindAdjacent(3));
+
+  std::vector<double> twice = coordinates;
+  twice.insert(twice.end(), coordinates.begin(), coordinates.end());
+  TestedNeighborsFilter merging(twice);
+  merging->SetMaxPointsPerLeaf(7);
+  merging->MergePointsOn();
+  merging->SetCenter(leaves.GetCenter(3).data());
+  merging.Update();
+  ExpectNeighbors(merging, leaves, 3, leaves.FindAdjacent(3));
 
   filter->SetMaxDepth(1);
   filter.Update();

@@ -6,6 +6,7 @@ from fractions import Fraction
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkIdList, vtkObject
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from hashedoctree import vtkHashedOctreePointLocator
 from hashedoctree.arrays import (
     find_closest_n_points, find_closest_points, find_points_within_radius, make_points)
@@ -22,7 +23,15 @@ def expect_error(kind, function, *arguments, words=""):
     raise AssertionError(f"no {kind.__name__}")
 
 
-def expect_single_queries_to_find(locator, x, order, within):
+def boxes_of_leaves(locator):
+    """The lower and the upper corner of each leaf that holds points, and its depth."""
+    leaves = vtkPolyData()
+    locator.GenerateRepresentation(-1, leaves)
+    bounds = numpy.array([leaves.GetCell(i).GetBounds() for i in range(leaves.GetNumberOfCells())])
+    return bounds[:, ::2], bounds[:, 1::2], vtk_to_numpy(leaves.GetCellData().GetArray("Depth"))
+
+
+def expect_single_queries_to_find(locator, x, order, within, points, leaves):
     """The queries for one position, in the forms with x and with x, y and z."""
     ids = vtkIdList()
     for position in ((x,), tuple(x)):
@@ -36,8 +45,16 @@ def expect_single_queries_to_find(locator, x, order, within):
     assert (dist2.get() >= 0.0) == (len(within) > 0)
     box = numpy.column_stack((x - 0.1, x + 0.1)).ravel()
     locator.FindPointsWithinBox(box, ids)
-    assert set(within) <= set(ids_of(ids))
-    assert locator.GetLeafId(x) >= -1 and locator.GetDepth(x) >= 0 and locator.GetHitCost(x) >= 1
+    in_box = ((points >= box[::2]) & (points <= box[1::2])).all(axis=1)
+    assert sorted(ids_of(ids)) == numpy.flatnonzero(in_box).tolist()
+    lower, upper, depths = leaves
+    corner = points.min(axis=0)
+    inside = numpy.clip(x, corner, corner + numpy.ptp(points, axis=0).max())
+    around = numpy.flatnonzero(((lower <= inside) & (inside <= upper)).all(axis=1)).tolist()
+    assert [locator.GetLeafId(x)] == (around or [-1]), around
+    depth = locator.GetDepth(x)
+    assert depth == depths[around[0]] if around else 0 < depth <= locator.GetLevel()
+    assert locator.GetHitCost(x) == 1 + abs(depth - locator.GetStartDepth())
     assert locator.GetClosestNPointsCost(1, x) == locator.GetClosestPointCost(x) >= 1
     assert locator.GetPointsWithinBoxCost(box) >= 1
 
@@ -54,6 +71,7 @@ for dtype in (numpy.float32, numpy.float64):
     order = numpy.argsort(all_dist2, axis=1, kind="stable")
     locator = vtkHashedOctreePointLocator()
     locator.SetDataSet(make_points(points))
+    leaves = boxes_of_leaves(locator)
 
     ids, dist2 = find_closest_points(locator, positions)
     assert ids.shape == dist2.shape == (200,) and ids.dtype == numpy.int64, (ids, dist2)
@@ -70,7 +88,8 @@ for dtype in (numpy.float32, numpy.float64):
         found = ids[offsets[i]:offsets[i + 1]]
         assert (found == order[i, :len(found)]).all()
         assert len(found) == (all_dist2[i] <= 0.1 * 0.1).sum()
-        expect_single_queries_to_find(locator, positions[i].astype(float), order[i], found)
+        expect_single_queries_to_find(
+            locator, positions[i].astype(float), order[i], found, points.astype(float), leaves)
 
 # Layouts and types that are not read where they are, and results that outlive everything.
 ids, _ = find_closest_points(locator, numpy.asfortranarray(positions))
@@ -105,14 +124,15 @@ expect_error(TypeError, find_closest_points, locator, numpy.zeros((4, 3), dtype=
 expect_error(TypeError, find_closest_points, locator, [[1 + 2j, 0, 0]])
 for value in ("1", b"1", None, 1j, numpy.ma.masked, numpy.datetime64("2008-01-01")):
     expect_error(TypeError, find_closest_points, locator, numpy.array([[value, 0, 0]], dtype=object))
-ids, dist2 = find_closest_points(
-    locator, numpy.array([[Decimal("0.5"), Fraction(1, 2), numpy.float32(0.5)]], dtype=object))
-assert (ids, dist2) == find_closest_points(locator, [[0.5, 0.5, 0.5]]), (ids, dist2)
+locator.SetDataSet(make_points([[0.5, 0.5, 0.5], [1.0, 1.0, 0.0], [0.0, 0.0, 9.0]]))
+halves = numpy.array([[Decimal("0.5"), Fraction(1, 2), numpy.float32(0.5)]], dtype=object)
+assert find_closest_points(locator, halves) == (0, 0.0)
 truths = numpy.array([[True, numpy.True_, numpy.False_]], dtype=object)
-assert find_closest_points(locator, truths) == find_closest_points(locator, [[1.0, 1.0, 0.0]])
-for radius in (numpy.array([0.5]), numpy.float32(0.5), numpy.int8(1), True, 0.5, Fraction(1, 2), Decimal("0.5"),
-               10**30):
-    assert find_points_within_radius(locator, radius, numpy.zeros((2, 3)))[0].shape == (3,)
+assert find_closest_points(locator, truths) == (1, 0.0)
+for radius, number in ((numpy.array([0.9]), 1), (numpy.float32(1.5), 2), (numpy.int8(2), 2), (True, 1), (0.8, 0),
+                       (Fraction(3, 2), 2), (Decimal("0.9"), 1), (10**30, 3)):
+    offsets, _, _ = find_points_within_radius(locator, radius, numpy.zeros((2, 3)))
+    assert offsets.tolist() == [0, number, 2 * number], (radius, offsets)
 for radius in (numpy.zeros(2), [], "0.5", None, 1j, numpy.ma.masked, numpy.ma.array(0.5), [numpy.ma.masked]):
     expect_error(TypeError, find_points_within_radius, locator, radius, numpy.zeros((2, 3)),
                  words="radius must be one real number")
