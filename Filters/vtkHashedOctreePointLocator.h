@@ -20,7 +20,8 @@
  *   is the one that a comparison with every point would give.
  * - Of equally near points the one with the smallest id wins. FindClosestNPoints() sorts by
  *   distance, then by id. The order of FindPointsWithinRadius() is not specified, but depends only
- *   on the data, the properties of the locator and the query.
+ *   on the data, the properties of the locator and the query. (What some of VTK's filters give
+ *   depends on it, with any locator: of vtkShepardKernel with a high power, more than rounding.)
  * - A radius is inclusive: points with a squared distance of at most radius * radius are within.
  *   Radius 0 finds the points at x, an infinite radius all, one that is negative or NaN none.
  * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
@@ -54,11 +55,12 @@
  * - In the coordinate arrays of a vtkRectilinearGrid: none; call Modified() of the grid.
  *
  * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
- * nothing is modified. The build runs on the threads of vtkSMPTools; its result does not depend on
- * their number. At most 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1
- * internal nodes; more, or not enough memory, is an error, after which queries find nothing. A
- * query that has not enough memory for what it finds is an error, too, and finds nothing; so is one
- * without a list to put its ids into.
+ * nothing is modified. (Not after Update(), which does not always build; and who gives the locator
+ * to vtkPointSet::SetPointLocator() has to call SetDataSet() as well.) The build runs on the
+ * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
+ * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
+ * memory, is an error, after which queries find nothing. A query that has not enough memory for
+ * what it finds is an error, too, and finds nothing; so is one without a list to put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
