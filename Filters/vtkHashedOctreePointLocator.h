@@ -41,7 +41,7 @@
  * - A search looks at all points where they are nearly equally near: at one place, in the middle of
  *   a sphere, or from far away (at most of them from a thousand widths above a plane, at all from a
  *   million there, and from 1e15 anywhere). It also does where squared distances are too small or
- *   too large for a double, below 1e-162 or beyond 1e154.
+ *   too large for a double, below 1e-150 or beyond 1e154.
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
