@@ -23,8 +23,8 @@ public:
   using Key = MortonKey<Dim>;
 
   /** More than a sum of squares may lose because the squares are too small for a double. Itself not
-   * that small, nor in cells of most boxes: some machines take as long to multiply such a number as
-   * to find the points of the leaf. */
+   * that small, nor in cells of most boxes: numbers that are, some machines multiply in the time
+   * that it takes to find the points of a leaf, and others take them for zero when asked to. */
   static constexpr double Underflow = 1e-300;
 
   /** Whether squared lengths are neither too small nor too large when they are multiplied by a

@@ -10,6 +10,10 @@
 #include <iostream>
 #include <random>
 
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+
 using namespace hashedoctree;
 
 template <typename Dimension>
@@ -440,6 +444,54 @@ TEST(TestPointSearchFacts, BoxesEndWhereTheySay)
   EXPECT_EQ(find(1e-30, 1.0), (std::vector<PointIndex>{ 1, 3, 4 }));
   EXPECT_EQ(find(-3.0, std::nextafter(1.0, 0.0)), (std::vector<PointIndex>{ 0, 2, 3, 4, 5, 6 }));
 }
+
+#if defined(__SSE2__) // Elsewhere the mode is set in other ways.
+namespace
+{
+/** While it lives, the processor takes numbers below 2.3e-308 for zero, as fast math asks for. */
+class SmallNumbersAreZero
+{
+public:
+  SmallNumbersAreZero() { _mm_setcsr(this->Before | FlushToZero | DenormalsAreZero); }
+  ~SmallNumbersAreZero() { _mm_setcsr(this->Before); }
+  SmallNumbersAreZero(const SmallNumbersAreZero&) = delete;
+  SmallNumbersAreZero& operator=(const SmallNumbersAreZero&) = delete;
+
+private:
+  static constexpr unsigned FlushToZero = 0x8000;
+  static constexpr unsigned DenormalsAreZero = 0x40;
+  unsigned Before = _mm_getcsr();
+};
+}
+
+TEST(TestPointSearchFacts, NumbersThatAreTakenForZeroChangeNoAnswer)
+{
+  const SmallNumbersAreZero mode;
+  for (const double extent : { 1e-300, 1e-200, 1e-156, 1e-153, 1e-148, 1e-140 })
+  {
+    SCOPED_TRACE(extent);
+    const std::vector<double> coordinates = MakeUniformPoints<3, double>(300, 174, -extent, extent);
+    const PointSpan<3, double> points{ coordinates.data(), 300 };
+    const PointTree<3, double> tree(
+      points, PointSelection<3>(points, {}, Execution()), { 4, 21 }, Execution());
+    const PointSearch<3, double> search(tree);
+    for (std::size_t query = 0; query < 300; query += 3)
+    {
+      const Position<3> x = GetPosition<3>(points, query);
+      const auto all = BruteForceSearch<3, double>(points).FindAll(x);
+      std::vector<FoundPoint> few;
+      search.FindClosest(x, 20, few);
+      std::vector<std::int64_t> found(20);
+      std::transform(few.begin(), few.end(), found.begin(), [](const auto& p) { return p.Id; });
+      ASSERT_EQ(found, GetIds(all, 20));
+      std::vector<PointIndex> within;
+      const double radius = extent / 4.0;
+      search.FindWithin(x, radius, within);
+      ASSERT_EQ(within.size(), CountWithin(all, radius));
+    }
+  }
+}
+#endif
 
 TEST(TestPointSearchFacts, NothingToFind)
 {
