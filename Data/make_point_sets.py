@@ -187,8 +187,13 @@ SETS = {
 def write(points, path):
     """Writes beside the target first, so that a reader never meets half a file."""
     partial = f"{path}.{os.getpid()}.part"
-    points.astype("<f4").tofile(partial)
-    os.replace(partial, path)
+    try:
+        points.astype("<f4").tofile(partial)
+        os.replace(partial, path)
+    except BaseException: # Ctrl-C, too
+        if os.path.exists(partial):
+            os.remove(partial)
+        raise
 
 
 def remove_outdated(folder):

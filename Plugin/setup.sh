@@ -227,8 +227,8 @@ fail_with_log() {
 
 read_arguments "$@"
 choose_build
-mkdir -p "$build" || fail "cannot write to $root"
-: >"$log"
+{ mkdir -p "$build" && : >"$log"; } 2>/dev/null ||
+  fail "cannot write to $build; was it made by another user, or with sudo?"
 install_missing
 configure
 build_all

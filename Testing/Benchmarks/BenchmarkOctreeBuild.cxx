@@ -24,21 +24,21 @@ constexpr std::size_t NumberOfPoints = 1000000;
 using Sample = PointSample<3, float>;
 
 /** A first build is checked outside of the timing; a wrong tree has no time. */
-bool IsSound(const Sample& sample)
+bool IsSound(const Sample& sample, const Execution& execution)
 {
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const Octree<3> tree(sample.GetSpan(), selection, {}, Execution());
+  const PointSelection<3> selection(sample.GetSpan(), {}, execution);
+  const Octree<3> tree(sample.GetSpan(), selection, {}, execution);
   return FindBrokenLaws(tree, sample.GetSpan(), selection).empty();
 }
 
 void BuildOctree(benchmark::State& state, const Sample& sample, unsigned threads)
 {
-  if (!IsSound(sample))
+  const Execution execution = threads == 1 ? Execution() : Execution(OnThreads(threads));
+  if (!IsSound(sample, execution))
   {
     state.SkipWithError("the tree breaks its laws");
     return;
   }
-  const Execution execution = threads == 1 ? Execution() : Execution(OnThreads(threads));
   for (auto _ : state)
   {
     const PointSelection<3> selection(sample.GetSpan(), {}, execution);

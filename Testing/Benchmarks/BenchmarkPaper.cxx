@@ -5,10 +5,10 @@
  */
 #include "PaperMeasurement.h"
 #include "PaperReport.h"
+#include "ReportFile.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -148,13 +148,10 @@ int Run(const Options& options)
     std::cout << Help;
     return 0;
   }
-  std::ofstream markdown(options.Output);
-  if (!markdown)
-  {
-    throw std::runtime_error("cannot write to '" + options.Output + "'");
-  }
+  ReportFile markdown(options.Output);
   const std::vector<PaperResults> results = MeasureSets(options);
-  WriteReport(results, options.Repetitions, markdown);
+  WriteReport(results, options.Repetitions, markdown.GetStream());
+  markdown.Keep();
   std::size_t different = 0;
   for (const PaperResults& set : results)
   {

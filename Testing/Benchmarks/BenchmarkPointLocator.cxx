@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Time to build point locators and to search with them: ours beside those of VTK and nanoflann, on
- * the same points and at the same positions, in turns. Every answer's distance is checked.
+ * the same points and at the same positions, in turns. All searches are checked against each other
+ * at some positions, and ours at a few against every point (LocatorCheck.h).
  */
 #include "LocatorGroup.h"
 #include "LocatorReport.h"
+#include "ReportFile.h"
 
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 
@@ -16,16 +17,6 @@ using namespace locator_benchmark;
 
 namespace
 {
-std::ofstream OpenForWriting(const std::string& path)
-{
-  std::ofstream file(path);
-  if (!file)
-  {
-    throw std::runtime_error("cannot write to '" + path + "'");
-  }
-  return file;
-}
-
 /** Repetitions in random order, so that a machine that changes its speed slows all peers alike. */
 void InitializeGoogleBenchmark(const std::string& program, const std::vector<std::string>& others)
 {
@@ -63,9 +54,9 @@ std::size_t RunGroup(
 int Run(const std::string& program, const LocatorOptions& options)
 {
   InitializeGoogleBenchmark(program, options.Others);
-  std::ofstream json = OpenForWriting(options.OutputDirectory + "/locator.json");
-  std::ofstream markdown = OpenForWriting(options.OutputDirectory + "/locator.md");
-  LocatorResults results(json);
+  ReportFile json(options.OutputDirectory + "/locator.json");
+  ReportFile markdown(options.OutputDirectory + "/locator.md");
+  LocatorResults results(json.GetStream());
   std::size_t count = 0;
   for (const std::size_t size : options.Sizes)
   {
@@ -79,7 +70,9 @@ int Run(const std::string& program, const LocatorOptions& options)
   {
     throw std::runtime_error("--benchmark_filter leaves nothing to measure");
   }
-  WriteReport(options, results, markdown);
+  WriteReport(options, results, markdown.GetStream());
+  json.Keep();
+  markdown.Keep();
   return results.HasFailed() ? 1 : 0;
 }
 }

@@ -5,6 +5,9 @@
 #include "ForEachNode.h"
 #include "PaperMeasurement.h"
 
+#include <algorithm>
+#include <array>
+
 namespace paper_benchmark
 {
 namespace
@@ -50,8 +53,9 @@ std::vector<Key> MakeGridKeys()
   return keys;
 }
 
+/** `sumOfFound` is set to the sum of what find() returns. */
 template <typename Find>
-double TimeKeys(const std::vector<Key>& keys, const Find& find)
+double TimeKeys(const std::vector<Key>& keys, const Find& find, std::uint64_t& sumOfFound)
 {
   std::uint64_t sum = 0;
   const double seconds = GetSeconds(
@@ -62,8 +66,7 @@ double TimeKeys(const std::vector<Key>& keys, const Find& find)
         sum += find(key);
       }
     });
-  volatile std::uint64_t sink = sum; // So that the searches are done.
-  static_cast<void>(sink);
+  sumOfFound = sum;
   return seconds;
 }
 }
@@ -77,23 +80,32 @@ void MeasureWorkloads(
       : row == 1                           ? MakeLeafKeys(trees.Ours)
                                            : MakeGridKeys();
     std::vector<std::function<double()>> runs;
+    std::array<std::uint64_t, 6> sums{};
     for (const FrequencyCosts& model : results.Frequencies)
     {
       const int startDepth = model.StartDepth;
+      std::uint64_t& sumOfPaper = sums[runs.size()];
       runs.emplace_back(
-        [&trees, &keys, startDepth] {
-          return TimeKeys(
-            keys, [&](Key key) { return trees.Paper->FindLeaf(key, startDepth)->Key; });
-        });
-      runs.emplace_back(
-        [&trees, &keys, startDepth]
+        [&trees, &keys, &sumOfPaper, startDepth]
         {
-          return TimeKeys(keys,
+          return TimeKeys(
+            keys, [&](Key key) { return trees.Paper->FindLeaf(key, startDepth)->Key; }, sumOfPaper);
+        });
+      std::uint64_t& sumOfOurs = sums[runs.size()];
+      runs.emplace_back(
+        [&trees, &keys, &sumOfOurs, startDepth]
+        {
+          return TimeKeys(
+            keys,
             [&](Key key)
-            { return hashedoctree::FindLeaf(trees.Ours, key, startDepth).Key.GetValue(); });
+            { return hashedoctree::FindLeaf(trees.Ours, key, startDepth).Key.GetValue(); },
+            sumOfOurs);
         });
     }
     const std::vector<Spread> times = TimeInTurns(runs, keys.size(), repetitions);
+    ++results.CheckedAnswers;
+    const bool agree = std::count(sums.begin(), sums.end(), sums[0]) == 6;
+    results.DifferentAnswers += agree ? 0 : 1;
     for (std::size_t model = 0; model < 3; ++model)
     {
       results.PaperWorkloads[row][model] = times[2 * model];

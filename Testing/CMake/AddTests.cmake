@@ -65,7 +65,7 @@ function (hashedoctree_add_python_test name)
     find_program(MPIEXEC mpiexec REQUIRED) # Debian: openmpi-bin
     set(command "${MPIEXEC}" -n "${arg_RANKS}" "$<TARGET_FILE:ParaView::pvbatch>" --dr --symmetric)
   endif ()
-  set(folder "${CMAKE_CURRENT_BINARY_DIR}/Temporary/${name}")
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/Output/${name}")
   file(MAKE_DIRECTORY "${folder}")
   add_test(NAME "${name}" COMMAND ${command} "${script}"
     -T "${folder}" -V "${PROJECT_SOURCE_DIR}/Data/Baseline/${name}.png"
@@ -97,7 +97,7 @@ function (hashedoctree_add_checks)
   foreach (check IN LISTS checks)
     add_test(NAME "Check${check}" COMMAND "${CMAKE_COMMAND}"
       "-DSOURCE_DIR=${PROJECT_SOURCE_DIR}" "-DBINARY_DIR=${PROJECT_BINARY_DIR}"
-      "-DGENERATOR=${CMAKE_GENERATOR}" "-DCXX=${CMAKE_CXX_COMPILER}"
+      "-DGENERATOR=${CMAKE_GENERATOR}" "-DCXX=${CMAKE_CXX_COMPILER}" "-DVTK_DIR=${VTK_DIR}"
       -P "${CMAKE_CURRENT_SOURCE_DIR}/CMake/Check${check}.cmake")
     set_tests_properties("Check${check}" PROPERTIES
       LABELS style SKIP_REGULAR_EXPRESSION "^Skipped: ")

@@ -8,7 +8,22 @@ endfunction ()
 set(work "${BINARY_DIR}/Testing/Install")
 set(prefix "${work}/moved here")
 file(REMOVE_RECURSE "${work}")
-run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --config "${CONFIG}" --prefix "${work}/first")
+file(MAKE_DIRECTORY "${work}")
+# The list of what the user has installed stays, whoever wrote it.
+set(manifest "${BINARY_DIR}/install_manifest.txt")
+if (EXISTS "${manifest}")
+  file(RENAME "${manifest}" "${work}/install_manifest.txt")
+endif ()
+unset(ENV{DESTDIR})
+execute_process(RESULT_VARIABLE result COMMAND
+  "${CMAKE_COMMAND}" --install "${BINARY_DIR}" --config "${CONFIG}" --prefix "${work}/first")
+file(REMOVE "${manifest}")
+if (EXISTS "${work}/install_manifest.txt")
+  file(RENAME "${work}/install_manifest.txt" "${manifest}")
+endif ()
+if (NOT result EQUAL 0)
+  message(FATAL_ERROR "The project cannot be installed")
+endif ()
 file(RENAME "${work}/first" "${prefix}")
 
 # What must not be there: paths of the build, the core, and the static wrapper.

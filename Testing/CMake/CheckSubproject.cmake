@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Configures projects that have this one as a part: whole (add_subdirectory), without a host, or as a
-# VTK module, shared or static.
+# Configures projects that have this one as a part: whole (add_subdirectory), without a host, beside a
+# VTK of their own, or as a VTK module, shared or static.
 function (configure project work)
   set(work "${BINARY_DIR}/Testing/${work}")
   file(REMOVE_RECURSE "${work}")
@@ -14,5 +14,6 @@ endfunction ()
 
 configure(Subproject Subproject)
 configure(Subproject SubprojectWithoutHost -DHASHEDOCTREE_HOST=NONE)
+configure(Subproject SubprojectOfVTK -DOUTER_FINDS_VTK_ALONE=ON "-DVTK_DIR=${VTK_DIR}")
 configure(Module Module)
 configure(Module StaticModule -DBUILD_SHARED_LIBS=OFF)

@@ -70,7 +70,8 @@ foreach (group IN LISTS groups)
     file(WRITE "${file}" "${unit}")
     string(REPLACE "${example_${group}}" "${file}" compilation "${compilation_${group}}")
     # Clang cannot read what GCC has precompiled.
-    string(REGEX REPLACE " -include [^ ]*cmake_pch[^ ]*" "" compilation "${compilation}")
+    string(REGEX REPLACE " -include (\\\\\"[^\"]*cmake_pch[^\"]*\\\\\"|[^ ]*cmake_pch[^ ]*)" ""
+      compilation "${compilation}")
     string(APPEND database "${separator}${compilation}")
     set(separator ",\n")
   endwhile ()

@@ -18,7 +18,7 @@ protected:
   /** The folder has a random name, so that runs at the same time do not meet. */
   TestBenchmarkPaper()
     : Folder(std::filesystem::temp_directory_path() /
-        ("TestBenchmarkPaper." + std::to_string(std::random_device()())))
+        ("Test BenchmarkPaper." + std::to_string(std::random_device()())))
   {
     std::filesystem::create_directory(this->Folder);
     this->WritePoints("sphere_1k", 900);
@@ -43,8 +43,8 @@ protected:
   {
     const auto program =
       std::filesystem::canonical("/proc/self/exe").parent_path() / "BenchmarkPaper";
-    const std::string folder = this->Folder.string();
-    const std::string command = "$EMULATOR " + program.string() + " --points " + folder +
+    const std::string folder = "'" + this->Folder.string() + "'";
+    const std::string command = "$EMULATOR '" + program.string() + "' --points " + folder +
       " --output " + folder + "/paper.md " + arguments + " >" + folder + "/log.txt 2>&1";
     return std::system(command.c_str()) == 0;
   }
@@ -110,12 +110,17 @@ TEST_F(TestBenchmarkPaper, WritesAllTables)
 
 TEST_F(TestBenchmarkPaper, MissingSetIsAnErrorBeforeAnythingIsMeasured)
 {
+  std::ofstream(this->Folder / "paper.md") << "of the run before";
   for (const std::string arguments : { "", "--quick", "--sets sphere_1k,csg_82k" })
   {
     EXPECT_FALSE(this->Run(arguments));
     ASSERT_EQ(this->ReadLog().size(), 1U);
     EXPECT_EQ(this->ReadLog().front().rfind("error: cannot read '", 0), 0U);
   }
+  std::string kept;
+  std::getline(std::ifstream(this->Folder / "paper.md"), kept);
+  EXPECT_EQ(kept, "of the run before");
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "paper.md.part"));
 }
 
 TEST_F(TestBenchmarkPaper, BadArguments)

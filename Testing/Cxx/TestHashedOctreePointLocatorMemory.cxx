@@ -45,6 +45,7 @@ protected:
     {
       GTEST_SKIP() << "sanitizers reserve more memory than the limit";
     }
+    vtkSMPTools::SetBackend("Sequential"); // To start a thread takes more than what is left.
   }
   void TearDown() override { vtkSMPTools::Initialize(0); }
 };
@@ -56,7 +57,6 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
   locator->SetMaxPointsPerLeaf(1);
   locator->SetStartDepthModel(vtkHashedOctreePointLocator::Local);
   const double x[3] = { 0.5, 0.5, 0.5 };
-  vtkSMPTools::SetBackend("Sequential"); // To start a thread takes more than what is left.
   std::size_t failures = 0;
   for (std::size_t bytes = 0;; bytes += Megabyte / 2)
   {
@@ -173,7 +173,6 @@ TEST_F(TestHashedOctreePointLocatorMemory, ARepresentationThatFailsIsEmpty)
   TestedLocator locator(MakeUniform(20000, 265));
   locator->SetMaxPointsPerLeaf(1);
   locator->BuildLocator();
-  vtkSMPTools::SetBackend("Sequential");
   vtkNew<vtkPolyData> boxes;
   locator->GenerateRepresentation(0, boxes);
   EXPECT_EQ(boxes->GetNumberOfCells(), 1);
@@ -213,7 +212,6 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABatchWhoseSearchesFailIsEmpty)
   queries->InsertNextTuple3(0.5, 0.5, 0.5);
   vtkNew<vtkIdTypeArray> ids;
   vtkNew<vtkDoubleArray> dist2;
-  vtkSMPTools::SetBackend("Sequential"); // To start a thread takes more than what is left.
   locator->BuildLocator();
   {
     const MemoryLimit limit(70 * Megabyte);

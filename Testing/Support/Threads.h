@@ -4,6 +4,7 @@
 
 #include "Execution.h"
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 #include <vector>
