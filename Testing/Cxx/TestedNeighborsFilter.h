@@ -10,7 +10,6 @@
 #include "vtkFieldData.h"
 #include "vtkUnstructuredGrid.h"
 
-
 /** Value of an integer cell array, whatever its type. */
 inline std::int64_t GetCellValue(vtkDataSet* cells, const char* name, vtkIdType cell)
 {
