@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 using namespace hashedoctree;
 
@@ -99,13 +101,27 @@ TEST(TestPointSelectionFacts, BadBoxesAreRefused)
 {
   const double x = 0.5;
   const PointSpan<1, double> points{ &x, 1 };
-  const auto select = [&points](double lower, double upper)
-  { PointSelection<1>(points, Box<1>({ lower }, { upper }), Execution()); };
-  EXPECT_THROW(select(1.0, 0.0), std::invalid_argument);
-  EXPECT_THROW(select(NAN, 1.0), std::invalid_argument);
-  EXPECT_THROW(select(0.0, NAN), std::invalid_argument);
-  EXPECT_THROW(select(0.0, INFINITY), std::invalid_argument);
-  EXPECT_NO_THROW(select(0.5, 0.5));
+  const auto getProblem = [&points](double lower, double upper) -> std::string
+  {
+    try
+    {
+      PointSelection<1>(points, Box<1>({ lower }, { upper }), Execution());
+    }
+    catch (const std::invalid_argument& problem)
+    {
+      return problem.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(
+    getProblem(1.0, 0.0), "The given bounds are from 1 to 0 on axis x; give the lower one first.");
+  for (const auto& [lower, upper] : { std::pair(NAN, 1.0F), { 0.0F, NAN }, { 0.0F, INFINITY } })
+  {
+    EXPECT_NE(
+      getProblem(lower, upper).find("; give finite ones, not beyond 4.49"), std::string::npos)
+      << getProblem(lower, upper);
+  }
+  EXPECT_EQ(getProblem(0.5, 0.5), "");
 }
 
 TEST(TestPointSelectionFacts, TooManyPointsAreRefused)
