@@ -190,10 +190,9 @@ def write(points, path):
     try:
         points.astype("<f4").tofile(partial)
         os.replace(partial, path)
-    except BaseException: # Ctrl-C, too
+    finally: # also after Ctrl-C
         if os.path.exists(partial):
             os.remove(partial)
-        raise
 
 
 def remove_outdated(folder):

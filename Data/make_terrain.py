@@ -87,9 +87,10 @@ def write(surface, path):
             raise OSError("the disk may be full")
         os.replace(partial, path)
     except OSError as error:
+        fail(f"cannot write {path}: {error.strerror or error}")
+    finally: # also after Ctrl-C
         if os.path.exists(partial):
             os.remove(partial)
-        fail(f"cannot write {path}: {error.strerror or error}")
 
 
 def main(arguments):

@@ -12,9 +12,9 @@
  *
  * The tree is an octree or, of points in a plane across an axis, a quadtree: a square in two of the
  * coordinates, split into four. Its cells lie in the plane through the lowest third coordinate of
- * the points (of the custom bounds, where the filter has them and uses them); the
- * third coordinate has no other effect, but that a point where it is not finite is left out as in
- * an octree. Each block of a composite data set has the dimension and the plane that its own points
+ * the points (of the custom bounds, where the filter has them and uses them); the third coordinate
+ * has no other effect, but that a point where it is not finite is left out as in an octree. Each
+ * block of a composite data set has the dimension and the plane that its own points
  * ask for; set Dimension and Plane to have one of all.
  *
  * Several processes that have the pieces of a data set make one tree together: those of Controller,

@@ -80,31 +80,22 @@ void MeasureWorkloads(
       : row == 1                           ? MakeLeafKeys(trees.Ours)
                                            : MakeGridKeys();
     std::vector<std::function<double()>> runs;
-    std::array<std::uint64_t, 6> sums{};
+    std::array<std::uint64_t, 2 * NumberOfModels> sums{};
+    const auto addRun = [&](const auto& find)
+    {
+      std::uint64_t& sum = sums[runs.size()];
+      runs.emplace_back([&keys, &sum, find] { return TimeKeys(keys, find, sum); });
+    };
     for (const FrequencyCosts& model : results.Frequencies)
     {
-      const int startDepth = model.StartDepth;
-      std::uint64_t& sumOfPaper = sums[runs.size()];
-      runs.emplace_back(
-        [&trees, &keys, &sumOfPaper, startDepth]
-        {
-          return TimeKeys(
-            keys, [&](Key key) { return trees.Paper->FindLeaf(key, startDepth)->Key; }, sumOfPaper);
-        });
-      std::uint64_t& sumOfOurs = sums[runs.size()];
-      runs.emplace_back(
-        [&trees, &keys, &sumOfOurs, startDepth]
-        {
-          return TimeKeys(
-            keys,
-            [&](Key key)
-            { return hashedoctree::FindLeaf(trees.Ours, key, startDepth).Key.GetValue(); },
-            sumOfOurs);
-        });
+      addRun([&trees, startDepth = model.StartDepth](Key key)
+        { return trees.Paper->FindLeaf(key, startDepth)->Key; });
+      addRun([&trees, startDepth = model.StartDepth](Key key)
+        { return hashedoctree::FindLeaf(trees.Ours, key, startDepth).Key.GetValue(); });
     }
     const std::vector<Spread> times = TimeInTurns(runs, keys.size(), repetitions);
     ++results.CheckedAnswers;
-    const bool agree = std::count(sums.begin(), sums.end(), sums[0]) == 6;
+    const bool agree = std::equal(sums.begin() + 1, sums.end(), sums.begin());
     results.DifferentAnswers += agree ? 0 : 1;
     for (std::size_t model = 0; model < 3; ++model)
     {

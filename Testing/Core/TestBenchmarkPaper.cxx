@@ -15,7 +15,8 @@ namespace
 class TestBenchmarkPaper : public testing::Test
 {
 protected:
-  /** The folder has a random name, so that runs at the same time do not meet. */
+  /** The folder has a random name, so that runs at the same time do not meet, and a blank in it, as
+   * paths may have. */
   TestBenchmarkPaper()
     : Folder(std::filesystem::temp_directory_path() /
         ("Test BenchmarkPaper." + std::to_string(std::random_device()())))
