@@ -153,7 +153,7 @@ show_progress() {
 apt_get() {
   "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
     sh -c 'exec apt-get -o Dpkg::Use-Pty=0 -o APT::Status-Fd=3 "$@" 3>&1 2>&1' \
-    apt-get --no-install-recommends "$@"
+    apt-get -o DPkg::Lock::Timeout=600 --no-install-recommends "$@"
 }
 
 fail_apt() {
@@ -225,10 +225,22 @@ fail_with_log() {
   fail "$1; the last lines are above, all of it is in $log"
 }
 
+# Two at once would write into each other's build; it is open to one of them until that ends.
+open_build() {
+  local lock="$build/setup.lock"
+  { mkdir -p "$build" && : >>"$lock" && : >>"$log"; } 2>/dev/null ||
+    fail "cannot write to $build; was it made by another user, or with sudo?"
+  exec 9>>"$lock"
+  flock --nonblock 9 || {
+    echo "Waiting for another set-up in $build"
+    flock 9
+  }
+  : >"$log"
+}
+
 read_arguments "$@"
 choose_build
-{ mkdir -p "$build" && : >"$log"; } 2>/dev/null ||
-  fail "cannot write to $build; was it made by another user, or with sudo?"
+open_build
 install_missing
 configure
 build_all
