@@ -29,7 +29,11 @@ struct Batch
   {
     this->Positions[3 * 7] = NAN;
     this->Positions[3 * 700 + 2] = INFINITY;
-    const PointSpan<3, float> points{ this->Coordinates.data(), numberOfPoints };
+    this->MakeTree();
+  }
+  void MakeTree()
+  {
+    const PointSpan<3, float> points{ this->Coordinates.data(), this->Coordinates.size() / 3 };
     this->Tree = PointTree<3, float>(
       points, PointSelection<3>(points, {}, Execution()), { 16, 21 }, Execution());
   }
@@ -118,6 +122,22 @@ TEST(TestPointBatch, FindsWithinWhatSingleSearchesFind)
       ExpectWithin(batch, numberOfPoints == Few ? 0.1 : 0.03, Execution(OnThreads(threads)));
     }
   }
+}
+
+TEST(TestPointBatch, EquallyNearPointsComeByTheirIds)
+{
+  Batch batch(Few);
+  for (float& coordinate : batch.Coordinates)
+  {
+    coordinate = std::round(8.0F * coordinate) / 8.0F;
+  }
+  for (double& coordinate : batch.Positions)
+  {
+    coordinate = std::round(16.0 * coordinate) / 16.0; // On points, and in the middle of some.
+  }
+  batch.MakeTree();
+  ExpectClosest(batch, 30, Execution());
+  ExpectWithin(batch, 0.25, Execution());
 }
 
 TEST(TestPointBatch, TakesMorePositionsThanAreOrderedAtATime)

@@ -339,6 +339,37 @@ TEST(TestPointSearchFacts, ExaminesFewNodesAmongUniformPoints)
   EXPECT_LT(forBall, 2.0);
 }
 
+TEST(TestPointSearchFacts, ExaminesFewerNodesFromLocalStartDepths)
+{
+  // Half of the points in a dense corner: one start depth cannot suit both halves.
+  PointSample<3, float> sample{ "two densities", MakeUniformPoints<3, float>(4000, 166) };
+  const std::vector<float> dense = MakeUniformPoints<3, float>(4000, 167, 0.0, 0.01);
+  sample.Coordinates.insert(sample.Coordinates.end(), dense.begin(), dense.end());
+  const auto points = sample.GetSpan();
+  const PointSelection<3> selection(points, {}, Execution());
+  PointTree<3, float> tree(points, selection, { 8, 21 }, Execution());
+  const PointSearch<3, float> search(tree);
+  const auto countNodes = [&](StartDepthModel model)
+  {
+    tree.SetStartDepths({ model, FrequencyModel::Points, 0 });
+    std::array<std::uint64_t, 2> nodes{};
+    for (std::size_t i = 0; i < points.Count; ++i)
+    {
+      const Position<3> x{ points[i][0], points[i][1], points[i][2] };
+      nodes[0] += search.CountNodesForClosest(x);
+      nodes[1] += search.CountNodesForWithin(x, 1e-6);
+    }
+    return nodes;
+  };
+  const auto local = countNodes(StartDepthModel::Local);
+  const auto median = countNodes(StartDepthModel::Median);
+  for (const std::size_t kind : { 0U, 1U })
+  {
+    EXPECT_GE(local[kind], points.Count);
+    EXPECT_LT(local[kind], 0.7 * static_cast<double>(median[kind]));
+  }
+}
+
 TEST(TestPointSearchFacts, BallsFarFromAllPointsExamineNoNode)
 {
   std::vector<double> coordinates = MakeUniformPoints<3, double>(50000, 165, 0.0, 0.01);

@@ -67,6 +67,13 @@ struct Aborting
   void Abort(vtkObject*, unsigned long, void*) { this->Locator->AbortBatch(); }
 };
 
+double GetDist2(TestedLocator& locator, vtkIdType id, const hashedoctree::Position<3>& x)
+{
+  double point[3];
+  locator->GetDataSet()->GetPoint(id, point);
+  return vtkMath::Distance2BetweenPoints(x.data(), point);
+}
+
 void ExpectAsOneByOne(TestedLocator& locator, vtkDataArray* queries)
 {
   Outputs one;
@@ -95,27 +102,24 @@ void ExpectAsOneByOne(TestedLocator& locator, vtkDataArray* queries)
     {
       const auto place = static_cast<std::size_t>(j);
       ASSERT_EQ(few.Ids->GetTypedComponent(i, j), place < closest.size() ? closest[place] : -1);
-      double dist2 = INFINITY;
-      if (place < closest.size())
-      {
-        double point[3];
-        locator->GetDataSet()->GetPoint(closest[place], point);
-        dist2 = vtkMath::Distance2BetweenPoints(x.data(), point);
-      }
-      ASSERT_EQ(few.Dist2->GetTypedComponent(i, j), dist2);
+      ASSERT_EQ(few.Dist2->GetTypedComponent(i, j),
+        place < closest.size() ? GetDist2(locator, closest[place], x) : INFINITY);
     }
     ASSERT_EQ(one.Dist2->GetValue(i), few.Dist2->GetTypedComponent(i, 0));
-    TestedLocator::Ids ids;
-    double last = -1.0;
-    for (vtkIdType j = within.Offsets->GetValue(i); j < within.Offsets->GetValue(i + 1); ++j)
+    std::vector<std::pair<double, vtkIdType>> expected;
+    for (const std::int64_t id : locator.FindWithin(radius, x))
     {
-      ids.push_back(within.Ids->GetValue(j));
-      ASSERT_GE(within.Dist2->GetValue(j), last);
-      ASSERT_LE(within.Dist2->GetValue(j), radius * radius);
-      last = within.Dist2->GetValue(j);
+      expected.emplace_back(GetDist2(locator, id, x), id);
     }
-    std::sort(ids.begin(), ids.end());
-    ASSERT_EQ(ids, locator.FindWithin(radius, x));
+    std::sort(expected.begin(), expected.end());
+    const vtkIdType first = within.Offsets->GetValue(i);
+    ASSERT_EQ(within.Offsets->GetValue(i + 1) - first, static_cast<vtkIdType>(expected.size()));
+    for (std::size_t j = 0; j < expected.size(); ++j)
+    {
+      const vtkIdType place = first + static_cast<vtkIdType>(j);
+      ASSERT_EQ(within.Dist2->GetValue(place), expected[j].first);
+      ASSERT_EQ(within.Ids->GetValue(place), expected[j].second);
+    }
   }
 }
 }
@@ -157,6 +161,29 @@ TEST(TestHashedOctreePointLocatorBatches, FindTheSameFromAllStartDepths)
     }
   }
   vtkSMPTools::Initialize(0);
+}
+
+TEST(TestHashedOctreePointLocatorBatches, EquallyNearPointsComeByTheirIds)
+{
+  // Rows of a grid, and positions in the middle between their points; three points at each place.
+  std::vector<float> coordinates;
+  for (int i = 0; i < 3 * 8 * 8 * 8; ++i)
+  {
+    const int place = i * 5 % (8 * 8 * 8);
+    for (const int c : { place % 8, place / 8 % 8, place / 64 })
+    {
+      coordinates.push_back(static_cast<float>(c) / 32.0F);
+    }
+  }
+  auto queries = vtkSmartPointer<vtkDoubleArray>::New();
+  queries->SetNumberOfComponents(3);
+  for (int i = 0; i < 100; ++i)
+  {
+    queries->InsertNextTuple3(
+      (i % 5 + 0.5) / 32.0, (i / 5 % 5 + 0.5) / 32.0, (i / 25 + 0.5) / 32.0);
+  }
+  TestedLocator locator(MakePolyData(coordinates));
+  ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(locator, queries));
 }
 
 TEST(TestHashedOctreePointLocatorBatches, FewerPointsThanAskedFor)

@@ -4,7 +4,9 @@
 #include "PointSamples.h"
 #include "TestedLocator.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <cmath>
 
@@ -64,6 +66,22 @@ TEST(TestHashedOctreePointLocatorEdges, NothingToPutAnswersIntoIsAnError)
   ASSERT_EQ(locator.Errors.size(), 4U);
   EXPECT_NE(locator.Errors[3].find("needs a vtkPolyData"), std::string::npos) << locator.Errors[3];
   locator.Errors.clear();
+}
+
+TEST(TestHashedOctreePointLocatorEdges, GhostAndHiddenPointsAreLikeAllOthers)
+{
+  const auto cloud = MakePolyData<float>({ 0, 0, 0, 1, 0, 0, 2, 0, 0 });
+  vtkUnsignedCharArray* ghosts = cloud->AllocatePointGhostArray();
+  ghosts->SetValue(1, vtkDataSetAttributes::DUPLICATEPOINT);
+  ghosts->SetValue(2, vtkDataSetAttributes::HIDDENPOINT);
+  ASSERT_EQ(cloud->GetPointGhostArray(), ghosts);
+  TestedLocator locator(cloud);
+  for (vtkIdType id = 0; id < 3; ++id)
+  {
+    EXPECT_EQ(locator->FindClosestPoint(static_cast<double>(id), 0, 0), id);
+  }
+  EXPECT_EQ(locator.FindClosest(3, { 2, 0, 0 }), Ids({ 2, 1, 0 }));
+  EXPECT_EQ(locator.FindWithin(1.0, { 2, 0, 0 }), Ids({ 1, 2 }));
 }
 
 TEST(TestHashedOctreePointLocatorEdges, DataMayChangeAfterABuild)

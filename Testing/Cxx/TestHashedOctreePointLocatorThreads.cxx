@@ -6,6 +6,7 @@
 #include "TestedLocator.h"
 
 #include "vtkAngularPeriodicDataArray.h"
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -185,12 +186,61 @@ TEST(TestHashedOctreePointLocatorThreads, ArraysThatComputeTheirPointsAreReadOnO
 
 namespace
 {
-/** Remembers which thread asked for a point first: vtkDataSet wants it to be one alone. */
-class ImageOfFirstReader : public vtkImageData
+/** Holds a batch at its first progress until another thread has aborted it. */
+struct Held
+{
+  std::atomic<bool> HasBegun{ false };
+  std::atomic<bool> IsAborted{ false };
+  void Hold(vtkObject*, unsigned long, void*)
+  {
+    this->HasBegun = true;
+    while (!this->IsAborted)
+    {
+      std::this_thread::yield();
+    }
+  }
+};
+}
+
+TEST(TestHashedOctreePointLocatorThreads, AnotherThreadMayAbortABatch)
+{
+  const auto cloud = MakePolyData(MakeUniformPoints<3, float>(20000, 47));
+  TestedLocator locator(cloud);
+  Held held;
+  locator->AddObserver(vtkCommand::ProgressEvent, &held, &Held::Hold);
+  std::thread other(
+    [&]
+    {
+      while (!held.HasBegun)
+      {
+        std::this_thread::yield();
+      }
+      locator->AbortBatch();
+      held.IsAborted = true;
+    });
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(2);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  vtkDataArray* positions = cloud->GetPoints()->GetData();
+  EXPECT_FALSE(locator->FindClosestPoints(positions, ids, dist2));
+  EXPECT_EQ(ids->GetNumberOfValues(), 0);
+  EXPECT_EQ(dist2->GetNumberOfValues(), 0);
+  other.join();
+  EXPECT_TRUE(locator->FindClosestPoints(positions, ids, dist2)) << "the next one is not aborted";
+  EXPECT_EQ(ids->GetNumberOfValues(), 20000);
+  vtkSMPTools::Initialize(0);
+}
+
+namespace
+{
+/** Remembers which thread asked for a point first, since vtkDataSet wants it to be one alone, and
+ * whether others did later. */
+class ImageOfReaders : public vtkImageData
 {
 public:
-  static ImageOfFirstReader* New();
-  vtkTypeMacro(ImageOfFirstReader, vtkImageData);
+  static ImageOfReaders* New();
+  vtkTypeMacro(ImageOfReaders, vtkImageData);
 
   void GetPoint(vtkIdType id, double x[3]) override
   {
@@ -198,24 +248,31 @@ public:
     {
       this->FirstReader = std::this_thread::get_id();
     }
+    else if (std::this_thread::get_id() != this->FirstReader)
+    {
+      this->HasOtherReaders = true;
+    }
     this->Superclass::GetPoint(id, x);
   }
   using vtkImageData::GetPoint;
 
   std::atomic<bool> WasRead{ false };
+  std::atomic<bool> HasOtherReaders{ false };
   std::thread::id FirstReader;
 };
-vtkStandardNewMacro(ImageOfFirstReader);
+vtkStandardNewMacro(ImageOfReaders);
 }
 
-TEST(TestHashedOctreePointLocatorThreads, DataSetsAreFirstReadOnTheCallersThread)
+TEST(TestHashedOctreePointLocatorThreads, DataSetsAreReadOnTheCallersThreadAndThenOnAll)
 {
-  vtkNew<ImageOfFirstReader> image;
+  vtkNew<ImageOfReaders> image;
   image->SetDimensions(60, 60, 60);
   vtkSMPTools::SetBackend("STDThread");
   vtkSMPTools::Initialize(2);
+  const bool hasThreads = vtkSMPTools::GetEstimatedNumberOfThreads() > 1;
   TestedLocator locator(image);
   locator->BuildLocator();
   vtkSMPTools::Initialize(0);
   EXPECT_EQ(image->FirstReader, std::this_thread::get_id());
+  EXPECT_EQ(image->HasOtherReaders, hasThreads) << "one processor has no others";
 }
