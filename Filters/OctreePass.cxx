@@ -187,6 +187,7 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   if (!AreEqual(this->Processes.Gather(leaves)))
   {
     this->Processes = ProcessGroup();
+    this->IsApart = true;
   }
   const auto numberOfBlocks = static_cast<double>(leaves.size());
   double block = 0.0;
@@ -292,7 +293,7 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
 
 void OctreePass::TellOfUnusedPoints() const
 {
-  if (this->ImplicitBlocks > 0 && this->AllPoints == 0)
+  if (this->ImplicitBlocks > 0 && this->AllPoints == 0 && !this->IsApart)
   {
     throw std::invalid_argument("The points of the input have no coordinates of their own, as "
                                 "those of images; vtkConvertToPointCloud gives them some.");

@@ -91,6 +91,7 @@ private:
   std::uint64_t SkippedPoints = 0;  ///< the same.
   std::uint64_t UsedPoints = 0;     ///< Of all processes.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
+  bool IsApart = false;             ///< Whether other processes have the rest of the blocks.
 };
 }
 

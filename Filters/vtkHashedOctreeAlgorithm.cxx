@@ -6,6 +6,8 @@
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
 vtkHashedOctreeAlgorithm::vtkHashedOctreeAlgorithm()
   : Controller(vtkMultiProcessController::GetGlobalController())
 {
@@ -67,11 +69,31 @@ int vtkHashedOctreeAlgorithm::RequestDataObject(vtkInformation* vtkNotUsed(reque
   return 1;
 }
 
+int vtkHashedOctreeAlgorithm::RequestInformation(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** vtkNotUsed(inputVector), vtkInformationVector* outputVector)
+{
+  // The executive has copied what the points say of their place.
+  constexpr int none[] = { 0, -1, 0, -1, 0, -1 };
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkInformation* output = outputVector->GetInformationObject(port);
+    output->Set(Pipeline::WHOLE_EXTENT(), none, 6);
+    output->Remove(vtkDataObject::ORIGIN());
+    output->Remove(vtkDataObject::SPACING());
+  }
+  return 1;
+}
+
 int vtkHashedOctreeAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* vtkNotUsed(outputVector))
 {
-  inputVector[0]->GetInformationObject(0)->Set(
-    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  // The executive asks for the extent of the output, which is another one.
+  vtkInformation* points = inputVector[0]->GetInformationObject(0);
+  if (points->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    points->Set(Pipeline::UPDATE_EXTENT(), points->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  points->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   return 1;
 }
 

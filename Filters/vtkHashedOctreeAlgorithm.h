@@ -172,8 +172,12 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
-  /** Asks for no ghosts of the points, which would be in several trees, however many are wanted of
-   * the output. */
+  /** Tells that the outputs are on no grid, wherever the points are: what is on one and has less
+   * than its extent is made again at each update. */
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  /** Asks for all of a grid of points, of which the source takes the piece, and for no ghosts,
+   * which would be in several trees, however many are wanted of the output. */
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 

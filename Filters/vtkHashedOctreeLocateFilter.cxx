@@ -283,8 +283,8 @@ int vtkHashedOctreeLocateFilter::GetTypeOfComposite(vtkInformationVector** input
 int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The executive has copied what the points say of their place and time. But the outputs are where
-  // the queries are; from the table, too, the extent that is asked for goes on to them.
+  // The outputs are where the queries are; from the table, too, the extent that is asked for goes
+  // on to them.
   vtkInformation* points = inputVector[0]->GetInformationObject(0);
   vtkInformation* queries = inputVector[1]->GetInformationObject(0);
   for (int port = 0; port < NumberOfPorts; ++port)
@@ -299,29 +299,24 @@ int vtkHashedOctreeLocateFilter::RequestInformation(vtkInformation* vtkNotUsed(r
   return 1;
 }
 
-int vtkHashedOctreeLocateFilter::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  // The executive asks for the extent of the output, which is one of the queries; points on a grid
-  // of their own have to be asked for in theirs, of which the source takes the piece.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* points = inputVector[0]->GetInformationObject(0);
-  if (points->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    points->Set(Pipeline::UPDATE_EXTENT(), points->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
-  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-}
-
 int vtkHashedOctreeLocateFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return RunTogether(this, request, outputVector,
+  const int done = RunTogether(this, request, outputVector,
     [&](const ProcessGroup& processes)
     {
       Run(this).Execute(processes, vtkDataObject::GetData(inputVector[0]),
         vtkDataObject::GetData(inputVector[1]), outputVector);
     });
+  // Without points, and after an error. What has less than the extent that it told is made again.
+  auto* queries = vtkDataSet::GetData(inputVector[1]);
+  auto* located = vtkDataSet::GetData(outputVector, 0);
+  if (queries != nullptr && located != nullptr && located->GetNumberOfPoints() == 0 &&
+    queries->GetExtentType() == VTK_3D_EXTENT)
+  {
+    located->CopyStructure(queries);
+  }
+  return done;
 }
 
 void vtkHashedOctreeLocateFilter::PrintSelf(ostream& os, vtkIndent indent)

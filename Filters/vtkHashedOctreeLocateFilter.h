@@ -63,8 +63,9 @@
  * Progress, abort, threads, errors, and points that are not finite: as in vtkHashedOctreeFilter;
  * but leaves are numbered and local start depths chosen in passes over the nodes during which no
  * abort is heeded. That, too, is done once for each tree, whatever the number of blocks of queries.
- * Without points for a tree the outputs are empty; without queries with finite coordinates the
- * table has no rows.
+ * Without points for a tree the outputs are empty, as after an error, but that queries on a grid
+ * (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid) keep it; without queries with finite
+ * coordinates the table has no rows.
  *
  * Several processes that have the pieces of both inputs make one tree together, and send each query
  * to the process that has its part of the tree. Each gives its own queries back, with what they
@@ -103,8 +104,6 @@ protected:
   int GetTypeOfOutput(int port, vtkInformationVector** inputVector) override;
   int GetTypeOfComposite(vtkInformationVector** inputVector) override;
   int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -5,6 +5,8 @@
 #include "PointSamples.h"
 #include "SameOutputs.h"
 
+#include "vtkStructuredGrid.h"
+
 #include <sstream>
 
 // The class itself: its properties, and when it runs. What it computes is tested by topic in
@@ -96,6 +98,27 @@ TEST(TestHashedOctreeFilter, MakesInstancesOfItself)
   EXPECT_STREQ(instance->GetClassName(), "vtkHashedOctreeFilter");
   EXPECT_TRUE(instance->IsA("vtkDataObjectAlgorithm"));
   EXPECT_EQ(instance->GetMaxDepth(), 21);
+}
+
+TEST(TestHashedOctreeFilter, RunsOnceWhereThePointsAreOnAGrid)
+{
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetExtent(3, 7, 0, 4, -2, 2);
+  grid->SetPoints(MakePoints(MakeUniformPoints<3, double>(125, 1)));
+  for (int type = vtkHashedOctreeFilter::Voxels; type <= vtkHashedOctreeFilter::HyperTreeGrid;
+       ++type)
+  {
+    TestedFilter filter;
+    filter->SetInputData(grid);
+    filter->SetOutputType(type);
+    for (const int port : { 0, 1, 2, 0 })
+    {
+      filter->Update(port);
+    }
+    EXPECT_EQ(filter.Executions, 1) << type;
+    EXPECT_EQ(filter.Errors, std::vector<std::string>());
+    EXPECT_GE(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 125);
+  }
 }
 
 TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)

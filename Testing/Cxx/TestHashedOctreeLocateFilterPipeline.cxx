@@ -7,12 +7,14 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkNonOverlappingAMR.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkStructuredGridAlgorithm.h"
+#include "vtkUniformGrid.h"
 
 #include <algorithm>
 #include <vector>
@@ -130,6 +132,37 @@ TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineWhereTheQueriesAre)
     ASSERT_TRUE(origin && spacing);
     EXPECT_TRUE(std::equal(origin, origin + 3, queries->GetOrigin()));
     EXPECT_TRUE(std::equal(spacing, spacing + 3, queries->GetSpacing()));
+  }
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, QueriesOnAGridKeepItWhereNothingIsLocated)
+{
+  vtkNew<vtkImageData> image;
+  image->SetExtent(3, 7, 0, 5, -2, 2);
+  const auto grid = MakeGrid(4, 5);
+  const auto nothing = MakePolyData<double>({});
+  vtkNew<vtkUniformGrid> patch;
+  patch->SetDimensions(3, 3, 3);
+  vtkNew<vtkNonOverlappingAMR> amr; // An error.
+  const int patches[] = { 1 };
+  amr->Initialize(1, patches);
+  amr->SetDataSet(0, 0, patch);
+  for (vtkDataSet* queries : std::vector<vtkDataSet*>{ image, grid })
+  {
+    for (vtkDataObject* points : std::vector<vtkDataObject*>{ nothing, amr })
+    {
+      TestedLocateFilter filter(points, queries);
+      for (const int port : { 0, 1, 0 })
+      {
+        filter->Update(port);
+      }
+      EXPECT_EQ(filter.Executions, 1);
+      EXPECT_EQ(filter.Errors.size(), points == amr ? 1U : 0U);
+      filter.Errors.clear();
+      ASSERT_EQ(filter.GetLocated()->GetNumberOfPoints(), queries->GetNumberOfPoints());
+      EXPECT_EQ(filter.GetLocated()->GetPointData()->GetNumberOfArrays(), 0);
+      EXPECT_EQ(filter.GetTable()->GetNumberOfRows(), 0);
+    }
   }
 }
 

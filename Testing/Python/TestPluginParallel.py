@@ -9,7 +9,7 @@ from octreetesting import CELL_ARRAYS, COSTS, HISTOGRAM, argument, arrays, write
 from paraview import simple
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_VOXEL, vtkDataSetAttributes,
+from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_VOXEL, vtkDataSetAttributes, vtkImageData,
                                            vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPolyData)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -303,6 +303,15 @@ nested = make_blocks(vtkMultiBlockDataSet, make_points(clusters[rank::PROCESSES]
 mine = make_blocks(vtkMultiBlockDataSet, *([of_cube, nested] if rank == 0 else [nested, of_cube]))
 piece, whole = (rows(run(mine, pieces)[0].GetBlock(min(rank, 1))) for pieces in (PROCESSES, 1))
 assert numpy.array_equal(piece, whole)
+
+# One with nothing to use warns of that, and the others have their trees.
+image = vtkImageData()
+image.SetDimensions(3, 3, 3)
+images = make_blocks(vtkMultiBlockDataSet, *[image] * (rank + 1))
+texts = []
+piece = run(images if rank == 0 else mine, PROCESSES, texts)
+assert len(texts) == (rank == 0) and all("Blocks left out" in text for text in texts), texts
+assert (rows(piece[0].GetBlock(1)).size > 0 if rank else piece[0].GetBlock(0) is None)
 
 # Then points, or queries, may be in some processes only.
 mine = [make_points(cube[:90])] if rank == 3 else [make_points(cube[:0])] * (rank + 1)

@@ -80,13 +80,15 @@ for dtype in (numpy.float32, numpy.float64):
 
     ids, dist2 = find_closest_n_points(locator, 9, positions)
     assert ids.shape == dist2.shape == (200, 9)
-    assert (ids == order[:, :9]).all() and (numpy.diff(dist2) >= 0).all()
+    assert (ids == order[:, :9]).all()
+    assert numpy.allclose(dist2, numpy.take_along_axis(all_dist2, ids, axis=1), rtol=1e-14, atol=0)
 
     offsets, ids, dist2 = find_points_within_radius(locator, 0.1, positions)
     assert offsets.shape == (201,) and offsets[0] == 0 and offsets[-1] == len(ids) == len(dist2)
     for i in range(200):
         found = ids[offsets[i]:offsets[i + 1]]
         assert (found == order[i, :len(found)]).all()
+        assert numpy.allclose(dist2[offsets[i]:offsets[i + 1]], all_dist2[i, found], rtol=1e-14, atol=0)
         assert len(found) == (all_dist2[i] <= 0.1 * 0.1).sum()
         expect_single_queries_to_find(
             locator, positions[i].astype(float), order[i], found, points.astype(float), leaves)
