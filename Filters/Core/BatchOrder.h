@@ -19,8 +19,8 @@ template <int Dim>
 class BatchOrder
 {
 public:
-  /** How many positions an order is made of at most, which takes 28 bytes for each
-   * meanwhile, 40 with 64-bit ids. */
+  /** How many positions an order is made of at most, which takes 24 bytes for each meanwhile, 32
+   * with 64-bit ids. */
   static constexpr std::size_t MostPositions = std::size_t(1) << 20;
 
   /** Of the positions [first, last), at most MostPositions. O(last - first). Throws Interrupted. */

@@ -46,7 +46,9 @@ public:
     }
     if (size > 0)
     {
-      const std::size_t bytes = size * sizeof(T) + alignof(T) - 1;
+      // (What is allocated fits any type but those that ask for more.)
+      constexpr std::size_t slack = alignof(T) > alignof(std::max_align_t) ? alignof(T) - 1 : 0;
+      const std::size_t bytes = size * sizeof(T) + slack;
       this->Allocation = memory == Memory::Zeroed
         ? std::unique_ptr<void, Free>(AllocateZeroedInLargePages(bytes), Free{ bytes })
         : std::unique_ptr<void, Free>(AllocateInLargePages(bytes));

@@ -66,7 +66,7 @@ public:
   static std::size_t CountOverlap(std::size_t maxPointsPerLeaf) { return maxPointsPerLeaf + 1; }
   /** Those keys of a part that the builder of each other part needs, to have the `overlap` next to
    * its own ones on either side, or all if there are fewer; given how many points each part has.
-   * O(n log(overlap)), and O(overlap) for each part that needs some. */
+   * O(n log(overlap)), O(overlap) for each part that needs some, and O(parts) for each part. */
   static Parted<Key> GetOverlaps(std::size_t part, const Keys& keys,
     const std::vector<std::uint64_t>& pointsOfParts, std::size_t overlap);
 

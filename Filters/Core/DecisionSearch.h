@@ -53,15 +53,6 @@ FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key,
     depth = decisions.GetDeeper(depth);
   }
 }
-
-/** FindLeaf() without counting. */
-template <template <int> class Tree, int Dim>
-FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key,
-  const DepthDecisionTree& decisions, EmptyOctants reading = EmptyOctants::Leaves)
-{
-  NoCount count;
-  return FindLeaf(tree, key, decisions, count, reading);
-}
 }
 
 #endif

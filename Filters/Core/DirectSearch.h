@@ -31,7 +31,7 @@ template <int Dim>
 struct FoundLeaf
 {
   MortonKey<Dim> Key;
-  std::uint32_t ParentBlock; ///< Block that describes it; no meaning for the root.
+  std::uint32_t ParentBlock; ///< Block that describes it; 0 for the root.
   SearchCase Case;
   /** False in the sparse reading where no leaf holds the position: Key is then the empty cell, the
    * missing child of the deepest existing node (paper E4). */
@@ -55,7 +55,6 @@ struct NodeCount
 {
   std::uint64_t Nodes = 0;
   void AddNode() { ++this->Nodes; }
-  void AddNodes(int count) { this->Nodes += static_cast<std::uint64_t>(count); }
 };
 
 /** Asks for no nodes ahead. */

@@ -92,12 +92,6 @@ public:
   const NodeTable<Entry>& GetTable() const { return this->Table; }
   const Block& GetBlock(std::size_t block) const { return this->Blocks[block]; }
   bool IsRootInternal() const { return this->Blocks[AboveRoot].Internal != 0; }
-  /** The root's block, where the root is internal. */
-  std::uint32_t GetRootBlock() const
-  {
-    return this->Blocks[AboveRoot].Children[Key::Root().GetOctant()];
-  }
-
   /** Bytes of the tree itself: blocks, free ones too, and the table. */
   std::size_t GetTreeBytes() const
   {

@@ -67,7 +67,7 @@ public:
     if (this->Report)
     {
       part.Report = [report = this->Report, from, to](double fraction)
-      { return report(from + (to - from) * fraction); };
+      { return report(std::min(to, from + (to - from) * fraction)); }; // Rounding may go beyond.
     }
     return part;
   }

@@ -22,7 +22,7 @@ namespace hashedoctree
  * - the counts per depth are those of the leaves.
  *
  * Written to be independent of how the tree is built: it walks all nodes from the root. O(nodes +
- * points), one thread. For tests and debugging.
+ * points * log(points of a leaf)), one thread. For tests and debugging.
  */
 template <int Dim, typename Real>
 std::vector<std::string> FindBrokenLaws(

@@ -81,7 +81,7 @@ public:
   /** Depth of the node, 0 for the root, by a bit scan. The key must not be 0. */
   constexpr int GetDepth() const { return HighestBit(this->Value) / Dim; }
 
-  /** Which child of its parent the node is, in [0, 2^Dim). Not for the root. */
+  /** Which child of its parent the node is, in [0, 2^Dim); 1 for the root. */
   constexpr unsigned GetOctant() const
   {
     return static_cast<unsigned>(this->Value & (NumberOfOctants - 1));

@@ -92,7 +92,7 @@ public:
       AddAxis(nearest2[axis][0], nearest2[axis][1], sums, count);
     }
     std::uint32_t meeting = 0;
-    for (unsigned i = 0; i < count; ++i)
+    for (unsigned i = 0; i < Key::NumberOfOctants / 2; ++i)
     {
       meeting |= GetBits(sums[i] <= this->Radius2) << (2 * i);
     }

@@ -41,12 +41,13 @@ private:
 
 /**
  * A multiplicative hash: the key times an odd constant (2^64 over the golden ratio), scaled to the
- * number of slots, so that a table need not be a power of two and its load is always 1/2.
+ * number of slots, so that a table need not be a power of two and its load is 1/2, or in small
+ * tables less.
  */
 class MixingHash
 {
 public:
-  /** Slots for so many keys: twice as many, in whole buckets. */
+  /** Slots for so many keys: the whole buckets that are more than twice as many. */
   explicit MixingHash(std::size_t numberOfKeys)
     : NumberOfSlots((2 * numberOfKeys / SlotsOfBucket + 1) * SlotsOfBucket)
   {

@@ -7,7 +7,7 @@
 
 namespace hashedoctree
 {
-/** Which nodes a list holds. Leaves with points are always in it. */
+/** Which nodes a list holds, beside leaves with points. */
 struct NodeListOptions
 {
   bool EmptyLeaves = false;

@@ -121,7 +121,8 @@ public:
 
   /**
    * Builds the tree of the selected points: O(n) for n points, plus O(1) for each node. The box of
-   * the selection becomes the root (see Grid). Points are told apart by their cells at
+   * the selection becomes the root (see Grid); without points the tree is the one of the default
+   * constructor, but for the options. Points are told apart by their cells at
    * MortonKey::MaxDepth only. Instantiated for PointSpans of float and double, in two dimensions
    * for PlaneSpans, too. Throws std::length_error when the tree would have more internal nodes than
    * 32 bits can number, and Interrupted. Spare memory of sizeof(CodedPoint) for each point takes
@@ -132,7 +133,8 @@ public:
     const Execution& execution, SpareMemory spare = {});
 
   /** The same of points whose keys at MortonKey::MaxDepth are given, in the grid that they are
-   * from; the id of a point is its place among the keys. */
+   * from, which is the tree's also without points; the id of a point is its place among the keys.
+   */
   Octree(const Grid<Dim>& grid, const std::vector<Key>& keys, const Options& options,
     const Execution& execution);
 

@@ -79,7 +79,7 @@ public:
     {
       return;
     }
-    if (size > this->Tree.GetMostInLeaf())
+    if (size > this->Tree.GetMostAtLastDepth())
     {
       size = this->PrepareLargeLeaf(first, size);
       if (size == 0)
@@ -138,8 +138,8 @@ private:
   static constexpr double LeastToHoldNodes2 =
     ChildBoxes<Dim>::Steps * ChildBoxes<Dim>::Steps / 16.0;
 
-  /** How many points of a leaf with more than Tree.GetMostInLeaf() are to be measured: none if it
-   * has a nested tree, which is searched; where all are at one place, as many as are wanted. */
+  /** How many points of a leaf with more than Tree.GetMostAtLastDepth() are to be measured: none if
+   * it has a nested tree, which is searched; where all are at one place, as many as are wanted. */
   [[gnu::noinline]] std::size_t PrepareLargeLeaf(PointIndex first, std::size_t size)
   {
     if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))

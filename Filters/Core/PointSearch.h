@@ -58,9 +58,9 @@ public:
   /** The `count` closest points in order, or all where there are fewer. `found` is replaced. */
   void FindClosest(const Position<Dim>& x, std::size_t count, std::vector<FoundPoint>& found) const;
 
-  /** The points within a radius, those at it included, in an order that depends on the points, the
-   * position and the start depths. `found` is replaced. No point for a radius that is negative or
-   * no number. */
+  /** The points with squared distances of at most radius * radius, in an order that depends on the
+   * points, the position and the start depths. `found` is replaced. No point for a radius that is
+   * negative or no number. */
   void FindWithin(const Position<Dim>& x, double radius, std::vector<PointIndex>& found) const;
 
   /** The same with their squared distances. */

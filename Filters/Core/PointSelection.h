@@ -50,8 +50,9 @@ public:
 
   /**
    * Selects from all points; O(n). Instantiated for PointSpans of float and double. Throws
-   * std::length_error above MaxNumberOfPoints, std::invalid_argument for a box that is not finite
-   * or whose upper corner lies below its lower one, and Interrupted.
+   * std::length_error above MaxNumberOfPoints, std::invalid_argument for a box that is not finite,
+   * lies beyond Grid::MaxCoordinate, or whose upper corner lies below its lower one, and
+   * Interrupted.
    */
   template <typename Points>
   PointSelection(Points points, const std::optional<Box<Dim>>& given, const Execution& execution);

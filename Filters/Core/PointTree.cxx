@@ -14,7 +14,7 @@ constexpr std::size_t MostInSecondCache = 65536; // when it has more points than
 
 /** How many points a leaf at the last depth may hold: so few are scanned as fast as a tree is
  * searched, which takes 1.4 kilobytes. */
-std::size_t GetMostAtLastDepth(std::size_t maxPointsPerLeaf)
+std::size_t ChooseMostAtLastDepth(std::size_t maxPointsPerLeaf)
 {
   constexpr std::size_t factor = 4;
   constexpr std::size_t least = 32;
@@ -123,7 +123,7 @@ PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelectio
       // The coordinates are copied after the points are in order.
       { others == nullptr ? own.GetData() : others,
         Dim * sizeof(Real) * selection.GetNumberOfPoints() })
-  , MostInLeaf(GetMostAtLastDepth(options.MaxPointsPerLeaf))
+  , MostAtLastDepth(ChooseMostAtLastDepth(options.MaxPointsPerLeaf))
   , Starts(this->Tree, StartDepthOptions())
   , Ids(this->Tree.GetPointIds())
   , OwnCoordinates(std::move(own))
@@ -342,7 +342,7 @@ void PointTree<Dim, Real>::BuildNested(PointSpan<Dim, Real> points, const Execut
     for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
     {
       const auto leaf = this->Tree.GetChild(block, octant);
-      if (leaf.GetNumberOfPoints() > this->MostInLeaf)
+      if (leaf.GetNumberOfPoints() > this->MostAtLastDepth)
       {
         const auto before = static_cast<double>(leaf.FirstPoint);
         const auto all = static_cast<double>(this->GetNumberOfPoints());

@@ -18,8 +18,8 @@ namespace hashedoctree
  * The input may go away once the tree is built.
  *
  * Nested trees: keys end at MortonKey::MaxDepth, and a leaf there may hold any number of points.
- * One that holds more than GetMostInLeaf(), not all at one place, gets a tree of its own in its own
- * box, with the same options, so that no search is linear in the number of points unless
+ * One that holds more than GetMostAtLastDepth(), not all at one place, gets a tree of its own in
+ * its own box, with the same options, so that no search is linear in the number of points unless
  * they coincide. (Not where the options ask for less depth: then the leaves are as large as was
  * asked for.)
  *
@@ -77,14 +77,14 @@ public:
   std::uint32_t GetFork(std::size_t block) const { return this->Forks[block]; }
 
   /** Whether points at different places are parted however near they are: then a leaf of more
-   * points than GetMostInLeaf() has a nested tree, or all of them are at one place, by id. */
+   * points than GetMostAtLastDepth() has a nested tree, or all of them are at one place, by id. */
   bool PartsAllPlaces() const
   {
     return this->Tree.GetOptions().MaxDepth == MortonKey<Dim>::MaxDepth;
   }
-  /** MaxPointsPerLeaf, or what a leaf at the last depth may hold without a nested tree: four times
-   * as much, and at least 32. */
-  std::size_t GetMostInLeaf() const { return this->MostInLeaf; }
+  /** What a leaf at the last depth may hold without a nested tree: four times MaxPointsPerLeaf, and
+   * at least 32. No leaf above holds more. */
+  std::size_t GetMostAtLastDepth() const { return this->MostAtLastDepth; }
   /** The nested tree of a leaf, given where its range begins, or null. O(log nested trees). */
   const PointTree* FindNested(PointIndex firstPoint) const;
 
@@ -118,7 +118,7 @@ private:
   void TranslateIds(const PointIndex* ids, const Execution& execution);
 
   Octree<Dim> Tree;
-  std::size_t MostInLeaf = 0;
+  std::size_t MostAtLastDepth = 0;
   StartDepths<Dim> Starts;
   const PointIndex* Ids = nullptr; ///< The tree's, or those in OwnIds.
   Buffer<PointIndex> OwnIds;       ///< Of a nested tree: ids in the whole input.

@@ -22,16 +22,19 @@ public:
   }
 
   /** The next nodes are examined on behalf of this one. Every search tells so before it counts. */
-  void Enter(MortonKey<Dim> node) { this->Counts = this->Range.Has(node); }
+  void Enter(MortonKey<Dim> node) { this->IsInRange = this->Range.Has(node); }
   void AddNode() { this->AddNodes(1); }
-  void AddNodes(int count) { this->Nodes += this->Counts ? static_cast<std::uint64_t>(count) : 0; }
+  void AddNodes(int count)
+  {
+    this->Nodes += this->IsInRange ? static_cast<std::uint64_t>(count) : 0;
+  }
 
   std::uint64_t GetNodes() const { return this->Nodes; }
 
 private:
   CurveRange<Dim> Range;
   std::uint64_t Nodes = 0;
-  bool Counts = false; ///< Whether the node is in the range.
+  bool IsInRange = false; ///< Whether the node is that was entered.
 };
 }
 

@@ -44,7 +44,7 @@ public:
   void SetQueryDepths(const DepthHistogram& queryDepths);
 
   /** The depth where a search starts; of the decision tree the depth that it looks at first. -1 of
-   * Local, which has no single one. */
+   * Local, which has no single one (of Chosen, where that is Local, the median of the tree). */
   int GetStartDepth(Search search) const;
 
   /** Mean number of nodes that a search examines, when leaves are searched for as the frequency

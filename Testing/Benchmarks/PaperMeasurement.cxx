@@ -3,6 +3,7 @@
 
 #include "DepthDecisionTree.h"
 #include "DirectSearch.h"
+#include "PaperAnswers.h"
 #include "PaperBatch.h"
 #include "PaperFrequencyCosts.h"
 #include "PaperKeys.h"
@@ -146,40 +147,7 @@ std::vector<Key> SampleLeaves(const Octree<3>& tree, const std::vector<float>& p
   return leaves;
 }
 
-using Peers = std::vector<std::unique_ptr<PaperPeer>>;
-
-/** Compares answers of all peers with ours from the median. */
-void CheckAnswers(
-  const Peers& peers, const std::vector<float>& points, double radius, PaperResults& results)
-{
-  PaperPeer& ours = *peers[OursMedian];
-  const auto check = [&results](const auto& answer, const auto& expected)
-  {
-    ++results.CheckedAnswers;
-    results.DifferentAnswers += answer == expected ? 0 : 1;
-  };
-  const std::size_t step = (results.Points - 1) / CheckedLeaves + 1;
-  for (std::size_t i = 0; i < results.Points; i += step)
-  {
-    const std::uint64_t leaf = ours.GetLeaf(&points[3 * i]);
-    for (const auto& peer : peers)
-    {
-      check(peer->GetLeaf(&points[3 * i]), leaf);
-    }
-  }
-  for (std::size_t i = 0; i < CheckedNeighborhoods; ++i)
-  {
-    const auto adjacent = ours.GetAdjacent(i);
-    const auto inRadius = ours.GetInRadius(i, radius);
-    for (const auto& peer : peers)
-    {
-      check(peer->GetAdjacent(i), adjacent);
-      check(peer->GetInRadius(i, radius), inRadius);
-    }
-  }
-}
-
-void MeasureSearches(const Peers& peers, const std::vector<float>& points, double radius,
+void MeasureSearches(const PaperPeers& peers, const std::vector<float>& points, double radius,
   int repetitions, PaperResults& results)
 {
   std::uint64_t sum = 0;
@@ -219,7 +187,7 @@ PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, i
   results.Costs = GetModelCosts(trees.Ours);
   CountFrequencyCosts(trees.Ours, results);
 
-  const Peers peers = MakePeers(trees, results.StartDepth);
+  const PaperPeers peers = MakePeers(trees, results.StartDepth);
   const std::vector<Key> leaves = SampleLeaves(trees.Ours, points);
   for (const auto& peer : peers)
   {

@@ -12,9 +12,6 @@ constexpr std::size_t NumberOfNeighborSearches = 10000;
 constexpr std::size_t MaxLeafSearches = std::size_t(1) << 21;
 /** The regular grid of Table 3 has 2^7 cells along each axis (E12). */
 constexpr int GridDepth = 7;
-/** Answers of each peer that are compared with ours. */
-constexpr std::size_t CheckedLeaves = 1000;
-constexpr std::size_t CheckedNeighborhoods = 200;
 
 /** Measures everything for one set of points, three coordinates each; one thread. */
 PaperResults MeasureSet(const PaperSet& set, const std::vector<float>& points, int repetitions);

@@ -245,12 +245,12 @@ const std::vector<std::string>& GetPeerNames()
   return names;
 }
 
-std::vector<std::unique_ptr<PaperPeer>> MakePeers(const PaperTrees& trees, int startDepth)
+PaperPeers MakePeers(const PaperTrees& trees, int startDepth)
 {
   using hashedoctree::StartDepthModel;
   using hashedoctree::StartDepthOptions;
   const Grid<3>& grid = trees.Ours.GetGrid();
-  std::vector<std::unique_ptr<PaperPeer>> peers;
+  PaperPeers peers;
   peers.push_back(MakePeer(TopDownSearches(*trees.Pointers, grid)));
   peers.push_back(MakePeer(TopDownSearches(*trees.BrotherChild, grid)));
   peers.push_back(MakePeer(TopDownSearches(*trees.WithParents, grid)));

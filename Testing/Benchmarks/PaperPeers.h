@@ -75,10 +75,12 @@ public:
   virtual Keys GetInRadius(std::size_t leaf, double radius) = 0;
 };
 
+using PaperPeers = std::vector<std::unique_ptr<PaperPeer>>;
+
 /** All peers, in the order of PaperPeerIndex. `startDepth` is that of the paper's layout and of
  * ours but for OursLocal, which has the local medians of all leaves. The trees must outlive them.
  */
-std::vector<std::unique_ptr<PaperPeer>> MakePeers(const PaperTrees& trees, int startDepth);
+PaperPeers MakePeers(const PaperTrees& trees, int startDepth);
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PaperReport.h"
 
+#include "PaperAnswers.h"
 #include "PaperBatch.h"
 #include "PaperClaims.h"
 #include "PaperKeys.h"

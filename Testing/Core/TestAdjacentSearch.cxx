@@ -208,11 +208,19 @@ TYPED_TEST(TestAdjacentSearch, ClimbingExaminesNoMoreNodesThanTheMedian)
   }
 }
 
+namespace
+{
+/** The root's bottom-left child is split, and of its children the top-right one. */
+SampleTree<2, double> MakeThreeDepths()
+{
+  return SampleTree<2, double>(
+    PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
+}
+}
+
 TEST(TestAdjacentSearchFacts, CasesAndOrder)
 {
-  // The root's bottom-left child is split, and of its children the top-right one.
-  const SampleTree<2, double> made(
-    PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
+  const SampleTree<2, double> made = MakeThreeDepths();
   const auto expect = [&made](std::uint64_t node, EmptyOctants reading,
                         const std::vector<std::pair<std::uint64_t, NeighborCase>>& expected)
   {
@@ -243,6 +251,24 @@ TEST(TestAdjacentSearchFacts, CasesAndOrder)
   expect(0b10011, EmptyOctants::Leaves,
     { { 0b10000, leaf }, { 0b10001, leaf }, { 0b10010, leaf }, { 0b101, above }, { 0b110, above },
       { 0b111, above } });
+}
+
+TEST(TestAdjacentSearchFacts, TheRejectedOptionExaminesWhatTouchesOnTheWayDown)
+{
+  // Around the bottom-right child of bottom-left. From the root: it, bottom-left with three
+  // children and two below the top-right of these, and bottom-right. From depth 1 all but the root.
+  // From depth 2 each of the five cells that touch it, one of them with two children; two of the
+  // others lie in the leaf at bottom-right, one depth above.
+  const SampleTree<2, double> made = MakeThreeDepths();
+  const std::array<std::uint64_t, 3> expected{ 8, 7, 9 };
+  for (int startDepth = 0; startDepth < 3; ++startDepth)
+  {
+    NodeCount count;
+    AdjacentSearchAtStartDepth<2, NodeCount> rejected(made.Tree, count);
+    std::vector<Neighbor<2>> found;
+    rejected.Find(MortonKey<2>(0b10010), startDepth, found);
+    EXPECT_EQ(count.Nodes, expected[static_cast<std::size_t>(startDepth)]) << startDepth;
+  }
 }
 
 TEST(TestAdjacentSearchFacts, TheRejectedOptionExaminesMoreNodes)

@@ -50,7 +50,7 @@ TYPED_TEST(TestDecisionSearch, AnyDecisionsFindEveryLeafAtTheirCost)
             ASSERT_EQ(count.Nodes, static_cast<std::uint64_t>(decisions.GetCost(depth)));
 
             const FoundLeaf<dim> sparse =
-              FindLeaf(made.Tree, key, decisions, EmptyOctants::Missing);
+              FindLeaf(made.Tree, key, decisions, count, EmptyOctants::Missing);
             ASSERT_EQ(sparse.Key, leaf.NodeKey);
             ASSERT_EQ(sparse.Exists, !leaf.IsEmpty());
           }

@@ -31,7 +31,8 @@ public:
   {
     if (tree.IsRootInternal())
     {
-      this->Walk(MortonKey<Dim>::Root(), tree.GetRootBlock());
+      const MortonKey<Dim> root = MortonKey<Dim>::Root();
+      this->Walk(root, tree.GetTable().Find(root.GetValue())->Block);
     }
     else
     {
@@ -223,7 +224,8 @@ private:
         ASSERT_EQ(found.Exists, expected.Exists);
         ASSERT_EQ(count.Nodes, CountExaminedNodes(rebuilt, key, startDepth));
       }
-      ASSERT_EQ(FindLeaf(this->Tree, key, decisions).Key, FindLeaf(rebuilt, key, 0).Key);
+      NodeCount count;
+      ASSERT_EQ(FindLeaf(this->Tree, key, decisions, count).Key, FindLeaf(rebuilt, key, 0).Key);
     }
   }
 };

@@ -134,6 +134,16 @@ TEST(TestExecution, WithoutProgressNothingStops)
   EXPECT_NO_THROW(Execution().Part(0.5, 1.0).Tell(0.3));
 }
 
+TEST(TestExecution, APartEndsWhereTheNextOneBegins)
+{
+  ToldProgress told;
+  const Execution execution = told.MakeExecution();
+  // In doubles 0.3 + (0.9 - 0.3) is more than 0.9.
+  execution.Part(0.3, 0.9).Tell(1.0);
+  execution.Part(0.9, 1.0).Tell(0.0);
+  told.ExpectToRise(1);
+}
+
 TEST(TestExecution, AllPartsHeedTheSignToStop)
 {
   StopSign::Count stops{ 5 };

@@ -158,44 +158,71 @@ protected:
           NodeCount count;
           hashed.FindAdjacent(key, startDepth, found, count);
           ASSERT_EQ(GetSortedValues(found), adjacent);
-          ASSERT_EQ(count.Nodes, CountLooks(hashed, key, startDepth, found));
+          ASSERT_EQ(
+            count.Nodes, CountLooks(hashed, key, key, startDepth, found, [](Key) { return true; }));
         }
         for (const double radius : GetRadii(grid.GetSide(key.GetDepth()), grid.GetSide()))
         {
           const auto inRadius =
             oracle.FindInRadius(key, radius, grid.GetSide(), EmptyOctants::Leaves);
+          const NodeBall<Dim> ball(grid, key, radius);
+          const auto meets = [&ball](Key cell)
+          { return ball.Meets(cell.GetCell(), cell.GetDepth()); };
           for (const int startDepth : startDepths)
           {
             NodeCount count;
             hashed.FindInRadius(key, radius, startDepth, found, count);
             ASSERT_EQ(GetSortedValues(found), inRadius);
-            ASSERT_GE(count.Nodes, inRadius.size());
+            const Key middle = FindMiddle(grid, key, radius);
+            ASSERT_EQ(count.Nodes, CountLooks(hashed, middle, key, startDepth, found, meets));
           }
         }
       });
   }
 
-  /** The looks of Algorithm 2, counted anew: one for each cell around a node, with a direct search
-   * where there is no node, and one for each node on the way down to what was found. */
-  template <typename Hashed>
-  static std::uint64_t CountLooks(
-    const Hashed& hashed, Key node, int startDepth, const std::vector<Key>& found)
+  /** The ancestor of a node around which an in-radius search begins (E14): the node itself, or,
+   * where the ball reaches beyond the cells around it, the deepest that is wider than the radius.
+   */
+  static Key FindMiddle(const Grid<Dim>& grid, Key node, double radius)
+  {
+    const double ofRoot = radius / grid.GetSide();
+    Key middle = node;
+    if (std::ldexp(ofRoot, node.GetDepth()) >= 1.5)
+    {
+      while (middle != Key::Root() && std::ldexp(ofRoot, middle.GetDepth()) >= 1.0)
+      {
+        middle = middle.GetParent();
+      }
+    }
+    return middle;
+  }
+
+  /** The looks of Algorithm 2, counted anew: one for each cell around the middle that is wanted,
+   * with a direct search where there is no node, and one for each node on the way down to what was
+   * found. */
+  template <typename Hashed, typename Wanted>
+  static std::uint64_t CountLooks(const Hashed& hashed, Key middle, Key node, int startDepth,
+    const std::vector<Key>& found, const Wanted& isWanted)
   {
     NodeCount count;
-    ForEachCellAround(node,
+    ForEachCellAround(middle,
       [&](Key cell, const auto&)
       {
-        count.AddNodes(cell != node ? 1 : 0);
+        if (cell == node || !isWanted(cell))
+        {
+          return;
+        }
+        count.AddNode();
         if (hashed.Find(cell) == nullptr)
         {
-          const int start = std::min(startDepth, node.GetDepth() - 1);
+          const int start = std::min(startDepth, middle.GetDepth() - 1);
           hashed.FindLeaf(cell.GetFirstAtMaxDepth(), start, count);
         }
       });
     std::set<std::uint64_t> wayDown;
     for (Key leaf : found)
     {
-      for (; leaf.GetDepth() > node.GetDepth(); leaf = leaf.GetParent())
+      for (; leaf.GetDepth() > middle.GetDepth(); leaf = leaf.GetParent())
       {
         wayDown.insert(leaf.GetValue());
       }

@@ -126,6 +126,7 @@ TEST(TestPaperReport, Table3HasTheLargestSpread)
   const std::string heading = "Table 3: direct searches by frequency model, us each";
   EXPECT_EQ(report.GetCell(heading, "all points", "ours: f_points"), "3.00 ~120%");
   EXPECT_EQ(report.GetCell(heading, "all leaves", "f_leaves"), "0.93");
+  EXPECT_EQ(report.GetCell(heading, "a grid of 128^3", "f_grid"), "0.89") << "E12";
   const std::string bySet = heading + " 2";
   EXPECT_EQ(report.GetCell(bySet, "first", "start depths"), "6, 7, 8");
   EXPECT_EQ(report.GetCell(bySet, "first", "ours: all points"), "wins, x 3.00 ~10%");

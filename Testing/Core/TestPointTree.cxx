@@ -207,7 +207,7 @@ int ExpectNested(const PointSpan<3, Real>& points, const PointTree<3, Real>& tre
       const PointIndex* ids = tree.GetIds() + node.FirstPoint;
       const bool isAtOnePlace = std::all_of(ids, ids + node.GetNumberOfPoints(),
         [&](PointIndex id) { return std::equal(points[id], points[id] + 3, points[ids[0]]); });
-      const bool isLarge = node.GetNumberOfPoints() > tree.GetMostInLeaf();
+      const bool isLarge = node.GetNumberOfPoints() > tree.GetMostAtLastDepth();
       ASSERT_EQ(nested != nullptr, isFull && isLarge && !isAtOnePlace);
       if (nested != nullptr)
       {
@@ -289,7 +289,7 @@ TEST(TestPointTreeFacts, LeavesMayHoldAnyNumberOfPoints)
   const PointSpan<3, float> points{ coordinates.data(), 1000 };
   const PointTree<3, float> tree(
     points, PointSelection<3>(points, {}, Execution()), { most, 21 }, Execution());
-  EXPECT_GE(tree.GetMostInLeaf(), most);
+  EXPECT_GE(tree.GetMostAtLastDepth(), most);
 }
 
 TEST(TestPointTreeFacts, ProgressRisesFromOneNestedTreeToTheNext)

@@ -42,16 +42,6 @@ public:
       { return radius >= 0.0 && !box.Contains(leaf) && GetDist2(box, leaf) <= radius2; });
   }
 
-  /** How many internal nodes meet a ball. */
-  std::uint64_t CountInternalNodesInRadius(Key node, double radius, double side) const
-  {
-    const NodeBox<Dim> box(node);
-    const double radius2 = GetRadius2(radius, side);
-    return static_cast<std::uint64_t>(std::count_if(this->Nodes.begin(), this->Nodes.end(),
-      [&box, radius2](const Listed& other)
-      { return other.Internal && GetDist2(box, other.Box) <= radius2; }));
-  }
-
   /** How many nodes, leaves or not, touch a node from outside and are not larger. */
   std::uint64_t CountAdjacentNodes(Key node) const
   {
