@@ -196,7 +196,7 @@ public:
    *   positions.
    *
    * In large trees scattered positions are taken along the Morton curve, a million at a time, so
-   * that one search finds in the caches what the last one loaded. That takes up to 28 bytes (40
+   * that one search finds in the caches what the last one loaded. That takes up to 24 bytes (32
    * with 64-bit ids) for each of that million in the meantime; FindPointsWithinRadius() also holds
    * all that it finds twice.
    *

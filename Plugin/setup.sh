@@ -150,10 +150,11 @@ show_progress() {
 }
 
 # apt reports its progress on 3, which sudo would close; if that were 1, packages would have no output.
+# A daemon that a package starts must not keep the lock, on 9.
 apt_get() {
   "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
     sh -c 'exec apt-get -o Dpkg::Use-Pty=0 -o APT::Status-Fd=3 "$@" 3>&1 2>&1' \
-    apt-get -o DPkg::Lock::Timeout=600 --no-install-recommends "$@"
+    apt-get -o DPkg::Lock::Timeout=600 --no-install-recommends "$@" 9>&-
 }
 
 fail_apt() {

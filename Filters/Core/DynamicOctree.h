@@ -92,6 +92,7 @@ public:
   const NodeTable<Entry>& GetTable() const { return this->Table; }
   const Block& GetBlock(std::size_t block) const { return this->Blocks[block]; }
   bool IsRootInternal() const { return this->Blocks[AboveRoot].Internal != 0; }
+
   /** Bytes of the tree itself: blocks, free ones too, and the table. */
   std::size_t GetTreeBytes() const
   {

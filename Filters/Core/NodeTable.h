@@ -24,8 +24,7 @@ namespace hashedoctree
  * together, and it ends the probing unless a key was turned away from it, being full: so a key that
  * is not there, which is what a search that starts too deep meets most often, mostly costs one
  * cache line and no guessing of branches. Erase() leaves no free slots between a key's home and its
- * own; the last bucket that it filled may go on saying that it turned keys away, until it loses
- * one.
+ * own; buckets that it filled may go on saying that they turned keys away, until they lose one.
  *
  * Const members may be called from many threads at once. Find(), Insert() and Erase() are O(1) on
  * average.
