@@ -177,10 +177,15 @@ TEST(TestHashedOctreePointLocatorBatches, EquallyNearPointsComeByTheirIds)
   }
   auto queries = vtkSmartPointer<vtkDoubleArray>::New();
   queries->SetNumberOfComponents(3);
-  for (int i = 0; i < 100; ++i)
+  for (const double z : { 0.5, 1.5, 2.5 })
   {
-    queries->InsertNextTuple3(
-      (i % 5 + 0.5) / 32.0, (i / 5 % 5 + 0.5) / 32.0, (i / 25 + 0.5) / 32.0);
+    for (const double y : { 0.5, 3.5, 4.5 })
+    {
+      for (const double x : { 0.5, 2.5, 5.5, 6.5 })
+      {
+        queries->InsertNextTuple3(x / 32.0, y / 32.0, z / 32.0);
+      }
+    }
   }
   TestedLocator locator(MakePolyData(coordinates));
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(locator, queries));
