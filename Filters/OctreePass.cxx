@@ -186,8 +186,7 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   const std::vector<std::uint64_t> leaves = ListLeaves(blocks);
   if (!AreEqual(this->Processes.Gather(leaves)))
   {
-    this->Processes = ProcessGroup();
-    this->IsApart = true;
+    this->Processes = ProcessGroup::OfPart();
   }
   const auto numberOfBlocks = static_cast<double>(leaves.size());
   double block = 0.0;
@@ -293,7 +292,7 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
 
 void OctreePass::TellOfUnusedPoints() const
 {
-  if (this->ImplicitBlocks > 0 && this->AllPoints == 0 && !this->IsApart)
+  if (this->ImplicitBlocks > 0 && this->AllPoints == 0 && this->Processes.HaveAll())
   {
     throw std::invalid_argument("The points of the input have no coordinates of their own, as "
                                 "those of images; vtkConvertToPointCloud gives them some.");

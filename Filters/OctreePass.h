@@ -48,7 +48,8 @@ public:
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
    * finite, and once of blocks without coordinates of their own. Throws Interrupted, and
-   * std::exception with what to tell the user, also when there are no other blocks with points. */
+   * std::exception with what to tell the user, also when there are no other blocks with points,
+   * unless other pieces may have some. */
   template <typename Function>
   void Execute(vtkDataObject* input, const Targets& targets, const Function& makeOutputs)
   {
@@ -91,7 +92,6 @@ private:
   std::uint64_t SkippedPoints = 0;  ///< the same.
   std::uint64_t UsedPoints = 0;     ///< Of all processes.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
-  bool IsApart = false;             ///< Whether other processes have the rest of the blocks.
 };
 }
 

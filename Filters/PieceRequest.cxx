@@ -26,25 +26,23 @@ bool IsPieceRequested(vtkInformation* request, vtkInformationVector* outputVecto
 }
 }
 
-bool HaveAllPieces(
-  const ProcessGroup& processes, vtkInformation* request, vtkInformationVector* outputVector)
-{
-  return processes.AreSeveral() || !IsPieceRequested(request, outputVector);
-}
-
 ProcessGroup FindProcesses(
   vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputVector)
 {
-  vtkMultiProcessController* controller = algorithm->GetController();
-  if (controller == nullptr || !IsPieceRequested(request, outputVector))
+  if (!IsPieceRequested(request, outputVector))
   {
     return {};
+  }
+  vtkMultiProcessController* controller = algorithm->GetController();
+  if (controller == nullptr)
+  {
+    return ProcessGroup::OfPart();
   }
   vtkInformation* requested = GetRequested(request, outputVector);
   const bool isOwn =
     requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == controller->GetNumberOfProcesses() &&
     requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
-  return isOwn ? ProcessGroup(controller) : ProcessGroup();
+  return isOwn ? ProcessGroup(controller) : ProcessGroup::OfPart();
 }
 
 void ForgetOutputs(vtkInformationVector* outputVector)

@@ -14,13 +14,9 @@ namespace hashedoctree
 // What a REQUEST_DATA says of the pieces of a distributed data set, and how it is done together
 // with those who have the others. Private to the module.
 
-/** Whether some processes have all of it, and not other ones, or other updates, the rest: by what
- * the output says that the request came from. */
-bool HaveAllPieces(
-  const ProcessGroup& processes, vtkInformation* request, vtkInformationVector* outputVector);
-
 /** Those that have the other pieces: of the algorithm's controller when as many pieces are asked
- * for as it has processes, and of each its own, else this one alone. */
+ * for as it has processes, and of each its own, else this one alone, with its part
+ * where several are asked for. By what the output says that the request came from. */
 ProcessGroup FindProcesses(
   vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputVector);
 

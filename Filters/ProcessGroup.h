@@ -24,7 +24,7 @@ namespace hashedoctree
 class ProcessGroup
 {
 public:
-  /** One alone. */
+  /** One alone, with all of the data. */
   ProcessGroup() = default;
   /** Those of a controller, null for one alone. */
   explicit ProcessGroup(vtkMultiProcessController* controller)
@@ -32,6 +32,16 @@ public:
   {
   }
 
+  /** One alone with a part of the data: other processes, or other updates, have the rest. */
+  static ProcessGroup OfPart()
+  {
+    ProcessGroup one;
+    one.HasPart = true;
+    return one;
+  }
+
+  /** Whether together they have all of the data. */
+  bool HaveAll() const { return !this->HasPart; }
   std::size_t GetNumber() const;
   /** Which of them this one is. */
   std::size_t GetRank() const;
@@ -140,6 +150,7 @@ private:
     const Counts& takenCounts) const;
 
   vtkMultiProcessController* Controller = nullptr;
+  bool HasPart = false;
 };
 }
 

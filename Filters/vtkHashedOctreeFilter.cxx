@@ -190,8 +190,7 @@ int vtkHashedOctreeFilter::RequestData(
         : ports.front()->GetDataObjectType();
       pass.Execute(vtkDataObject::GetData(inputVector[0]), ports, Run(this, typeOfNodes));
       const ProcessGroup& together = pass.GetProcesses();
-      if (pass.AreAllOutside() && HaveAllPieces(together, request, outputVector) &&
-        together.IsFirst())
+      if (pass.AreAllOutside() && together.HaveAll() && together.IsFirst())
       {
         vtkWarningMacro(<< "No point with finite coordinates lies in CustomBounds; widen them.");
       }

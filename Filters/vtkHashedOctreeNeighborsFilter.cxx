@@ -182,7 +182,7 @@ public:
 
   /** Throws std::invalid_argument when no tree has the leaf of LeafKey, unless other pieces may
    * have it, which are not of these processes; warns when trees have none at Center. */
-  void CheckQueryLeaves(bool haveAllPieces, const ProcessGroup& processes) const
+  void CheckQueryLeaves(const ProcessGroup& processes) const
   {
     if (this->TreesWithQuery == this->Trees)
     {
@@ -204,7 +204,7 @@ public:
         << "Center lies in an empty cell" << where.str()
         << ", where there is no leaf; move it to points, or turn IncludeEmptyLeaves on.");
     }
-    else if (this->TreesWithQuery == 0 && haveAllPieces)
+    else if (this->TreesWithQuery == 0 && processes.HaveAll())
     {
       std::ostringstream problem;
       problem << "LeafKey " << this->Self->LeafKey
@@ -303,8 +303,7 @@ int vtkHashedOctreeNeighborsFilter::RequestData(
       pass.Execute(vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector),
         [&run](const auto& octree, const Execution& execution)
         { return run.Process(octree, execution); });
-      const ProcessGroup& together = pass.GetProcesses();
-      run.CheckQueryLeaves(HaveAllPieces(together, request, outputVector), together);
+      run.CheckQueryLeaves(pass.GetProcesses());
     });
 }
 

@@ -34,7 +34,7 @@ public:
 private:
   CurveRange<Dim> Range;
   std::uint64_t Nodes = 0;
-  bool IsInRange = false; ///< Whether the node is that was entered.
+  bool IsInRange = false; ///< The node that was entered last.
 };
 }
 

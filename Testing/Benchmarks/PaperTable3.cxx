@@ -71,10 +71,9 @@ void WriteTable3(std::ostream& out, const std::vector<PaperResults>& sets)
          "start depths that are medians by the three models. Leaves: at most "
       << MaxLeafSearches << " of a set, every k-th. The grid has " << GridSide << "^3 cells, "
       << GridSide * GridSide * GridSide / 1000
-      << " thousand searches, in the paper's Table 1 2097, which its text calls 127^3 (E12). The "
-         "paper's 1.33 is also the mean of "
-         "its Table 2 (E19). Searches begin with keys, not with coordinates. After ~ the largest "
-         "spread of a set.\n\n";
+      << " thousand searches; the paper's has 2097 thousand in its Table 1, and its text calls it "
+         "127^3 (E12). The paper's 1.33 is also the mean of its Table 2 (E19). Searches begin with "
+         "keys, not with coordinates. After ~ the largest spread of a set.\n\n";
   WriteHead(out,
     { "search", "paper's numbers: f_points", "f_leaves", "f_grid", "its layout here: f_points",
       "f_leaves", "f_grid", "ours: f_points", "f_leaves", "f_grid" });

@@ -78,6 +78,10 @@ TEST(TestHashedOctreeFilterComposite, BlocksWithoutCoordinatesAloneAreAnError)
   TestedFilter filter;
   filter->SetInputData(input);
   filter.UpdateExpectingError("no coordinates of their own");
+  input->Modified();
+  filter.UpdatePiece(0, 0, 2);
+  EXPECT_EQ(filter.Errors, std::vector<std::string>()) << "the other piece may have points";
+  filter.ExpectWarning("Blocks left out");
 }
 
 TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
