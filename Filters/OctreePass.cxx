@@ -7,7 +7,7 @@
 #include "DistinctKeys.h"
 #include "DistributedOctree.h"
 #include "DuplicatePoints.h"
-#include "MortonCodes.h"
+#include "KeyedPoints.h"
 #include "OctreeHyperTree.h"
 #include "PassFieldData.h"
 #include "PointsAdaptor.h"
@@ -54,18 +54,18 @@ template <int Dim, typename Real>
 std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
   const OwnPoints<Real>& own, const Execution& execution)
 {
-  const auto coded = EncodePoints(Project(own.Points, frame, own.Selection.GetBox()),
+  const auto keyed = MakeKeyedPoints(Project(own.Points, frame, own.Selection.GetBox()),
     PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
   std::vector<MortonKey<Dim>> keys;
-  keys.reserve(coded.GetSize());
+  keys.reserve(keyed.GetSize());
   execution.Part(CodesShare, CodesShare)
     .OnOneThread()
-    .ForEach(coded.GetSize(), PointsAtATime,
+    .ForEach(keyed.GetSize(), PointsAtATime,
       [&](std::size_t i)
       {
-        if (!own.Others.Have(static_cast<vtkIdType>(coded[i].GetId())))
+        if (!own.Others.Have(static_cast<vtkIdType>(keyed[i].GetId())))
         {
-          keys.push_back(coded[i].GetKey());
+          keys.push_back(keyed[i].GetKey());
         }
       });
   if (own.Merge)

@@ -48,9 +48,9 @@ private:
   using Key = MortonKey<Dim>;
   static constexpr std::size_t CachedBytes = std::size_t(2) << 20;
   static constexpr std::size_t PositionsPerCell = 8; ///< In a cell of so many order is of no use.
-  static constexpr std::size_t Grain = 8192;         ///< Positions that a thread encodes at a time.
-  static constexpr std::size_t SampleDistance = 61;  ///< From one position that is looked at to
-                                                     ///< the next; in no step with rows of 2^n.
+  static constexpr std::size_t Grain = 8192; ///< Positions whose keys a thread makes at a time.
+  static constexpr std::size_t SampleDistance = 61; ///< From one position that is looked at to
+                                                    ///< the next; in no step with rows of 2^n.
   /** Positions in one cell so many depths above most points' leaves count as near each other. */
   static constexpr int DepthsTogether = 3;
 
@@ -74,18 +74,18 @@ private:
   template <typename Positions>
   void Sort(const Grid<Dim>& grid, const Positions& positions, const Execution& execution)
   {
-    Buffer<CodedPoint<Dim>> coded(this->Count);
+    Buffer<KeyedPoint<Dim>> keyed(this->Count);
     execution.Part(0.0, 0.3).ForEach(this->Count, Grain,
       [&](std::size_t i)
       {
-        coded[i] = CodedPoint<Dim>(
+        keyed[i] = KeyedPoint<Dim>(
           grid.GetKey(GetPosition<Dim>(positions, this->First + i)), static_cast<PointIndex>(i));
       });
-    SortAlongMortonCurve(coded, PositionsPerCell, Key::MaxDepth, execution.Part(0.3, 1.0));
+    SortAlongMortonCurve(keyed, PositionsPerCell, Key::MaxDepth, execution.Part(0.3, 1.0));
     this->Places = Buffer<PointIndex>(this->Count);
     for (std::size_t i = 0; i < this->Count; ++i)
     {
-      this->Places[i] = coded[i].GetId();
+      this->Places[i] = keyed[i].GetId();
     }
   }
 

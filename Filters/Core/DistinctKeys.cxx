@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistinctKeys.h"
 
-#include "MortonCodes.h"
+#include "KeyedPoints.h"
 #include "MortonOrder.h"
 
 namespace hashedoctree
@@ -11,7 +11,7 @@ std::vector<MortonKey<Dim>> GetDistinctKeys(
   const std::vector<MortonKey<Dim>>& keys, const Execution& execution)
 {
   constexpr std::size_t ofEachLeaf = 1; // Sorts by all of the key.
-  Buffer<CodedPoint<Dim>> sorted = CodeKeys(keys);
+  Buffer<KeyedPoint<Dim>> sorted = NumberKeys(keys);
   SortAlongMortonCurve(sorted, ofEachLeaf, MortonKey<Dim>::MaxDepth, execution);
   std::vector<MortonKey<Dim>> distinct;
   for (std::size_t i = 0; i < sorted.GetSize(); ++i)

@@ -28,15 +28,15 @@ using Total = Sums<Dim, std::atomic<std::uint64_t>>;
 template <int Dim>
 void PrefetchBelow(const Octree<Dim>& tree, std::size_t block)
 {
-  for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
-  {
-    const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
-    const MortonKey<Dim> key = child.NodeKey.GetFirstAtMaxDepth();
-    for (int depth = child.NodeKey.GetDepth(); depth < tree.GetDeepestDepth(); ++depth)
+  tree.ForEachChild(block, block + 1,
+    [&tree](const typename Octree<Dim>::Node& child)
     {
-      tree.GetTable().Prefetch(key.AtDepth(depth).GetValue());
-    }
-  }
+      const MortonKey<Dim> key = child.NodeKey.GetFirstAtMaxDepth();
+      for (int depth = child.NodeKey.GetDepth(); depth < tree.GetDeepestDepth(); ++depth)
+      {
+        tree.GetTable().Prefetch(key.AtDepth(depth).GetValue());
+      }
+    });
 }
 
 /**
@@ -162,16 +162,21 @@ template <int Dim>
 MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
 {
   constexpr std::size_t chunkSize = 32; // Blocks, of up to 2^Dim leaves each.
+  using Node = typename Octree<Dim>::Node;
   const Octree<Dim>& tree = part.GetTree();
   const int lastStartDepth = std::max(part.GetDeepestDepth(), 1);
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   Total<Dim> total;
-  if (!tree.IsRootInternal() && part.Has(MortonKey<Dim>::Root()))
+  const auto add = [&part](const Node& node, LeafSearches<Dim>& searches)
   {
-    LeafSearches<Dim> searches(tree, lastStartDepth);
-    searches.Add(tree.GetRoot());
-    AddSums(searches.GetSums(), total);
-  }
+    if (!node.Internal && part.Has(node.NodeKey))
+    {
+      searches.Add(node);
+    }
+  };
+  LeafSearches<Dim> ofRoot(tree, lastStartDepth);
+  add(tree.GetRoot(), ofRoot);
+  AddSums(ofRoot.GetSums(), total);
   execution.ForChunks(numberOfBlocks, chunkSize,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -179,14 +184,7 @@ MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
       for (std::size_t block = first; block < last; ++block)
       {
         PrefetchBelow(tree, std::min(block + 1, numberOfBlocks - 1));
-        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
-        {
-          const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
-          if (!child.Internal && part.Has(child.NodeKey))
-          {
-            searches.Add(child);
-          }
-        }
+        tree.ForEachChild(block, block + 1, [&](const Node& child) { add(child, searches); });
       }
       AddSums(searches.GetSums(), total);
     });

@@ -45,7 +45,7 @@ public:
   }
 
   std::size_t GetCount() const { return this->Count; }
-  std::size_t Of(const CodedPoint<Dim>& point) const
+  std::size_t Of(const KeyedPoint<Dim>& point) const
   {
     return point.GetKey().GetValue() >> this->Shift & (this->Count - 1);
   }
@@ -59,7 +59,7 @@ template <int Dim>
 class Sorter
 {
 public:
-  Sorter(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf, int maxDepth,
+  Sorter(Buffer<KeyedPoint<Dim>>& points, std::size_t maxPointsPerLeaf, int maxDepth,
     const Execution& execution, SpareMemory spare)
     : Points(points)
     , Scratch(FindRoom(points.GetSize(), spare, this->OwnScratch))
@@ -93,7 +93,7 @@ public:
   }
 
 private:
-  using Point = CodedPoint<Dim>;
+  using Point = KeyedPoint<Dim>;
 
   /** The points [First, Last) of a node at Depth, in Scratch or in Points; Branching as far as it
    * is known from above. */
@@ -392,7 +392,7 @@ private:
 }
 
 template <int Dim>
-void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
+void SortAlongMortonCurve(Buffer<KeyedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
   int maxDepth, const Execution& execution, SpareMemory spare)
 {
   Sorter<Dim>(points, maxPointsPerLeaf, maxDepth, execution, spare).Sort();
@@ -400,7 +400,7 @@ void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, std::size_t maxPoints
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template void SortAlongMortonCurve(                                                              \
-    Buffer<CodedPoint<Dim>>&, std::size_t, int, const Execution&, SpareMemory);
+    Buffer<KeyedPoint<Dim>>&, std::size_t, int, const Execution&, SpareMemory);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)

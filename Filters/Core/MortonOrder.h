@@ -2,17 +2,17 @@
 #ifndef hashedoctree_MortonOrder_h
 #define hashedoctree_MortonOrder_h
 
-#include "MortonCodes.h"
+#include "KeyedPoints.h"
 #include "SpareMemory.h"
 
 namespace hashedoctree
 {
 /**
- * Sorts coded points along the Morton curve as far as the leaves of a tree need it: leaf after leaf
- * in the order of their keys, where a node is split while it holds more than maxPointsPerLeaf
- * points, at least 1, and is not at maxDepth. In a leaf, points of equal keys stand by id, given
- * that they come in the order of their ids; the others in an order that follows from the points and
- * the limits alone, not from the number of threads. With one point per leaf and
+ * Sorts points by their keys along the Morton curve as far as the leaves of a tree need it: leaf
+ * after leaf in the order of their keys, where a node is split while it holds more than
+ * maxPointsPerLeaf points, at least 1, and is not at maxDepth. In a leaf, points of equal keys
+ * stand by id, given that they come in the order of their ids; the others in an order that follows
+ * from the points and the limits alone, not from the number of threads. With one point per leaf and
  * MortonKey::MaxDepth, all points stand by key, then by id.
  *
  * A radix partition from the root downwards, several depths at a time: depths that do not part the
@@ -22,7 +22,7 @@ namespace hashedoctree
  * large enough. Throws Interrupted; the points are then in no particular order.
  */
 template <int Dim>
-void SortAlongMortonCurve(Buffer<CodedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
+void SortAlongMortonCurve(Buffer<KeyedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,
   int maxDepth, const Execution& execution, SpareMemory spare = {});
 }
 

@@ -24,17 +24,14 @@ Buffer<typename Octree<Dim>::Node> ListNodes(const Octree<Dim>& tree, NodeListOp
   {
     const auto body = [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
-      for (std::size_t block = first; block < last; ++block)
-      {
-        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+      tree.ForEachChild(first, last,
+        [&](const Node& child)
         {
-          const Node child = tree.GetChild(block, octant);
           if (isListed(child))
           {
             function(chunk, child);
           }
-        }
-      }
+        });
     };
     execution.Part(from, to).ForChunks(numberOfBlocks, chunkSize, body);
   };

@@ -12,7 +12,7 @@ namespace hashedoctree
 namespace
 {
 /** Shares of the progress: of all, and of what is done with the keys. */
-constexpr double EncodingShare = 0.2;
+constexpr double KeysShare = 0.2;
 constexpr double SortingShare = 0.375;
 }
 
@@ -27,9 +27,9 @@ Octree<Dim>::Octree(Points points, const PointSelection<Dim>& selection, const O
     return;
   }
   this->RootGrid = Grid<Dim>(selection.GetBox());
-  Buffer<CodedPoint<Dim>> coded =
-    EncodePoints(points, selection, this->RootGrid, execution.Part(0.0, EncodingShare));
-  this->Build(coded, execution.Part(EncodingShare, 1.0), spare);
+  Buffer<KeyedPoint<Dim>> keyed =
+    MakeKeyedPoints(points, selection, this->RootGrid, execution.Part(0.0, KeysShare));
+  this->Build(keyed, execution.Part(KeysShare, 1.0), spare);
 }
 
 template <int Dim>
@@ -42,13 +42,13 @@ Octree<Dim>::Octree(const Grid<Dim>& grid, const std::vector<Key>& keys, const O
   {
     return;
   }
-  Buffer<CodedPoint<Dim>> coded = CodeKeys(keys);
-  this->Build(coded, execution, {});
+  Buffer<KeyedPoint<Dim>> keyed = NumberKeys(keys);
+  this->Build(keyed, execution, {});
 }
 
 template <int Dim>
 void Octree<Dim>::Build(
-  Buffer<CodedPoint<Dim>>& points, const Execution& execution, SpareMemory spare)
+  Buffer<KeyedPoint<Dim>>& points, const Execution& execution, SpareMemory spare)
 {
   assert(this->BuildOptions.AreInRange());
   SortAlongMortonCurve(points, this->BuildOptions.MaxPointsPerLeaf, this->BuildOptions.MaxDepth,

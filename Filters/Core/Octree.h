@@ -40,7 +40,7 @@ constexpr unsigned CountOctants(std::uint32_t mask)
 }
 
 template <int Dim>
-class CodedPoint;
+class KeyedPoint;
 template <int Dim>
 class OctreeBuilder;
 
@@ -125,7 +125,7 @@ public:
    * constructor, but for the options. Points are told apart by their cells at
    * MortonKey::MaxDepth only. Instantiated for PointSpans of float and double, in two dimensions
    * for PlaneSpans, too. Throws std::length_error when the tree would have more internal nodes than
-   * 32 bits can number, and Interrupted. Spare memory of sizeof(CodedPoint) for each point takes
+   * 32 bits can number, and Interrupted. Spare memory of sizeof(KeyedPoint) for each point takes
    * the place of as much that would be used meanwhile.
    */
   template <typename Points>
@@ -168,6 +168,19 @@ public:
   Node GetRoot() const;
   /** A child of an internal node, which is always given in the complete reading. O(1). */
   Node GetChild(std::size_t block, unsigned octant) const;
+  /** Calls function(child) for each child of the internal nodes `firstBlock` to `lastBlock - 1`, in
+   * the order of the blocks, then of the octants: from all blocks every node but the root. */
+  template <typename Function>
+  void ForEachChild(std::size_t firstBlock, std::size_t lastBlock, const Function& function) const
+  {
+    for (std::size_t block = firstBlock; block < lastBlock; ++block)
+    {
+      for (unsigned octant = 0; octant < NumberOfOctants; ++octant)
+      {
+        function(this->GetChild(block, octant));
+      }
+    }
+  }
   /** Block of an internal child. O(1), no table access. */
   std::uint32_t GetChildBlock(std::size_t block, unsigned octant) const
   {
@@ -208,7 +221,7 @@ public:
 
 private:
   friend class OctreeBuilder<Dim>;
-  void Build(Buffer<CodedPoint<Dim>>& points, const Execution& execution, SpareMemory spare);
+  void Build(Buffer<KeyedPoint<Dim>>& points, const Execution& execution, SpareMemory spare);
 
   Grid<Dim> RootGrid;
   Options BuildOptions;

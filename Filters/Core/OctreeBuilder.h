@@ -4,7 +4,7 @@
 
 #include "DepthTally.h"
 #include "FirstTouch.h"
-#include "MortonCodes.h"
+#include "KeyedPoints.h"
 #include "NodeIndex.h"
 #include "Octree.h"
 
@@ -29,7 +29,7 @@ template <int Dim>
 class OctreeBuilder
 {
 public:
-  OctreeBuilder(Octree<Dim>& tree, const Buffer<CodedPoint<Dim>>& points)
+  OctreeBuilder(Octree<Dim>& tree, const Buffer<KeyedPoint<Dim>>& points)
     : Tree(tree)
     , Points(points)
     , ChunksBefore(Execution::GetNumberOfChunks(points.GetSize(), ChunkSize))
@@ -296,7 +296,7 @@ private:
   static constexpr std::size_t PrefetchDistance = 16; ///< Nodes ahead whose slots are on the way.
 
   Octree<Dim>& Tree;
-  const Buffer<CodedPoint<Dim>>& Points;
+  const Buffer<KeyedPoint<Dim>>& Points;
   std::vector<Before> ChunksBefore;
 };
 }

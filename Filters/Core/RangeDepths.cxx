@@ -22,13 +22,7 @@ DepthCounts CountDepths(
     [&](std::size_t first, std::size_t last)
     {
       DepthTally<Dim> tally;
-      for (std::size_t block = first; block < last; ++block)
-      {
-        for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
-        {
-          add(tree.GetChild(block, octant), tally);
-        }
-      }
+      tree.ForEachChild(first, last, [&](const Node& child) { add(child, tally); });
       return tally;
     });
   DepthTally<Dim> all;

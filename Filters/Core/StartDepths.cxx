@@ -14,11 +14,9 @@ template <int Dim, typename Function>
 void ForEachLeaf(const TreePart<Dim>& part, FrequencyModel frequency, const Function& function)
 {
   const Octree<Dim>& tree = part.GetTree();
-  for (std::size_t block = 0; block < tree.GetNumberOfInternalNodes(); ++block)
-  {
-    for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
+  tree.ForEachChild(0, tree.GetNumberOfInternalNodes(),
+    [&](const typename Octree<Dim>::Node& child)
     {
-      const typename Octree<Dim>::Node child = tree.GetChild(block, octant);
       if (!child.Internal && part.Has(child.NodeKey))
       {
         const int height = part.GetDeepestDepth() - child.NodeKey.GetDepth();
@@ -27,8 +25,7 @@ void ForEachLeaf(const TreePart<Dim>& part, FrequencyModel frequency, const Func
             : frequency == FrequencyModel::Grid ? std::uint64_t(1) << (Dim * height)
                                                 : child.GetNumberOfPoints());
       }
-    }
-  }
+    });
 }
 }
 

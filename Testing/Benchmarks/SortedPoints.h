@@ -18,7 +18,7 @@ class SortedPoints
 {
 public:
   using Key = hashedoctree::MortonKey<Dim>;
-  using Point = hashedoctree::CodedPoint<Dim>;
+  using Point = hashedoctree::KeyedPoint<Dim>;
 
   /** At least one point must be selected. O(n). */
   template <typename Real>
@@ -26,7 +26,7 @@ public:
     const hashedoctree::PointSelection<Dim>& selection, std::size_t bucket)
     : RootGrid(selection.GetBox())
     , Points(
-        hashedoctree::EncodePoints(points, selection, this->RootGrid, hashedoctree::Execution()))
+        hashedoctree::MakeKeyedPoints(points, selection, this->RootGrid, hashedoctree::Execution()))
     , Bucket(static_cast<std::ptrdiff_t>(bucket))
   {
     hashedoctree::SortAlongMortonCurve(

@@ -19,12 +19,12 @@ class TestMortonOrder : public ::testing::Test
 {
 protected:
   static constexpr int Dim = Dimension::value;
-  using Point = CodedPoint<Dim>;
+  using Point = KeyedPoint<Dim>;
 
-  static Buffer<Point> Encode(const PointSample<Dim, double>& sample)
+  static Buffer<Point> MakePoints(const PointSample<Dim, double>& sample)
   {
     const PointSelection<Dim> selection(sample.GetSpan(), {}, Execution());
-    return EncodePoints(sample.GetSpan(), selection, Grid<Dim>(selection.GetBox()), Execution());
+    return MakeKeyedPoints(sample.GetSpan(), selection, Grid<Dim>(selection.GetBox()), Execution());
   }
 
   struct Limits
@@ -65,13 +65,14 @@ protected:
     const PointSample<Dim, double>& sample, const std::vector<Ordering>& orderings)
   {
     SCOPED_TRACE(sample.Name);
-    const Buffer<Point> encoded = Encode(sample);
-    std::vector<Point> expected(encoded.GetData(), encoded.GetData() + encoded.GetSize());
+    const Buffer<Point> inOrderOfIds = MakePoints(sample);
+    std::vector<Point> expected(
+      inOrderOfIds.GetData(), inOrderOfIds.GetData() + inOrderOfIds.GetSize());
     SortByKey(expected.data(), expected.data() + expected.size());
     for (const Ordering& ordering : orderings)
     {
-      Buffer<Point> points(encoded.GetSize());
-      std::copy_n(encoded.GetData(), encoded.GetSize(), points.GetData());
+      Buffer<Point> points(inOrderOfIds.GetSize());
+      std::copy_n(inOrderOfIds.GetData(), inOrderOfIds.GetSize(), points.GetData());
       SortAlongMortonCurve(points, ordering.To.MaxPointsPerLeaf, ordering.To.MaxDepth, ordering.On);
       ASSERT_EQ(points.GetSize(), expected.size());
       ExpectLeaves(points.GetData(), expected.data(), expected.size(), 0, ordering.To);
@@ -165,14 +166,14 @@ TYPED_TEST(TestMortonOrder, SpareMemoryChangesNothing)
   constexpr int maxDepth = MortonKey<dim>::MaxDepth;
   constexpr std::size_t count = 100000;
   const PointSample<dim, double> sample{ "clusters", MakeClusteredPoints<dim, double>(count, 55) };
-  auto expected = TestFixture::Encode(sample);
+  auto expected = TestFixture::MakePoints(sample);
   SortAlongMortonCurve(expected, 8, maxDepth, Execution());
   // Too little by one point, as much as is used, and more than that.
   for (const std::size_t room : { count - 1, count, count + 1000 })
   {
-    const CodedPoint<dim> untouched(MortonKey<dim>(), MaxNumberOfPoints);
-    std::vector<CodedPoint<dim>> spare(count + 1000, untouched);
-    auto points = TestFixture::Encode(sample);
+    const KeyedPoint<dim> untouched(MortonKey<dim>(), MaxNumberOfPoints);
+    std::vector<KeyedPoint<dim>> spare(count + 1000, untouched);
+    auto points = TestFixture::MakePoints(sample);
     SortAlongMortonCurve(
       points, 8, maxDepth, Execution(), { spare.data(), room * sizeof(untouched) });
     ASSERT_TRUE(std::equal(
@@ -187,7 +188,7 @@ TYPED_TEST(TestMortonOrder, SpareMemoryChangesNothing)
 TYPED_TEST(TestMortonOrder, CanBeInterrupted)
 {
   constexpr int dim = TestFixture::Dim;
-  auto points = TestFixture::Encode({ "uniform", MakeUniformPoints<dim, double>(300000, 54) });
+  auto points = TestFixture::MakePoints({ "uniform", MakeUniformPoints<dim, double>(300000, 54) });
   int answers = 0;
   const Execution execution(OnThisThread, [&answers](double) { return ++answers < 2; });
   EXPECT_THROW(SortAlongMortonCurve(points, 1, MortonKey<dim>::MaxDepth, execution), Interrupted);
@@ -197,13 +198,13 @@ TEST(TestMortonOrderOfClusters, LargeOnesAreNotSortedWithoutALook)
 {
   constexpr std::size_t count = 300000;
   constexpr std::size_t clusters = 16; // Of which each would be a fair share for one thread.
-  Buffer<CodedPoint<3>> points(clusters * count);
+  Buffer<KeyedPoint<3>> points(clusters * count);
   std::mt19937_64 random(56);
   const std::uint64_t root = MortonKey<3>().GetFirstAtMaxDepth().GetValue();
   for (std::size_t i = 0; i < points.GetSize(); ++i)
   {
     const std::uint64_t key = root | (i % clusters) << 57U | random() >> 24U;
-    points.GetData()[i] = CodedPoint<3>(MortonKey<3>(key), static_cast<PointIndex>(i));
+    points.GetData()[i] = KeyedPoint<3>(MortonKey<3>(key), static_cast<PointIndex>(i));
   }
   std::size_t reports = 0;
   const Execution execution(OnThisThread, [&reports](double) { return ++reports > 0; });

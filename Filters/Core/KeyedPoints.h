@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef hashedoctree_MortonCodes_h
-#define hashedoctree_MortonCodes_h
+#ifndef hashedoctree_KeyedPoints_h
+#define hashedoctree_KeyedPoints_h
 
 #include "Buffer.h"
 #include "PointSelection.h"
@@ -16,12 +16,12 @@ namespace hashedoctree
  * times, so nothing is between one and the next: where an id has 32 bits, the key is aligned as it.
  */
 template <int Dim>
-class CodedPoint
+class KeyedPoint
 {
 public:
   /** A variable without initialiser holds nothing yet, as with MortonKey. */
-  CodedPoint() = default;
-  CodedPoint(MortonKey<Dim> key, PointIndex id)
+  KeyedPoint() = default;
+  KeyedPoint(MortonKey<Dim> key, PointIndex id)
     : Id(id)
   {
     const std::uint64_t value = key.GetValue();
@@ -44,21 +44,21 @@ private:
 /** Points that are known by their keys, from the first on. Throws std::length_error for more than
  * ids can tell apart. */
 template <int Dim>
-Buffer<CodedPoint<Dim>> CodeKeys(const std::vector<MortonKey<Dim>>& keys)
+Buffer<KeyedPoint<Dim>> NumberKeys(const std::vector<MortonKey<Dim>>& keys)
 {
   RequirePointIndices(keys.size());
-  Buffer<CodedPoint<Dim>> coded(keys.size());
+  Buffer<KeyedPoint<Dim>> keyed(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i)
   {
-    coded[i] = CodedPoint<Dim>(keys[i], static_cast<PointIndex>(i));
+    keyed[i] = KeyedPoint<Dim>(keys[i], static_cast<PointIndex>(i));
   }
-  return coded;
+  return keyed;
 }
 
 /** The selected points with their keys, in the order of the data set. O(n). Throws Interrupted.
  * Instantiated for PointSpans of float and double, in two dimensions for PlaneSpans, too. */
 template <int Dim, typename Points>
-Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& selection,
+Buffer<KeyedPoint<Dim>> MakeKeyedPoints(Points points, const PointSelection<Dim>& selection,
   const Grid<Dim>& grid, const Execution& execution);
 }
 

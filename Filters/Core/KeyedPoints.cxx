@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MortonCodes.h"
+#include "KeyedPoints.h"
 
 #include "FirstTouch.h"
 #include "PointKeys.h"
@@ -7,11 +7,11 @@
 namespace hashedoctree
 {
 template <int Dim, typename Points>
-Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& selection,
+Buffer<KeyedPoint<Dim>> MakeKeyedPoints(Points points, const PointSelection<Dim>& selection,
   const Grid<Dim>& grid, const Execution& execution)
 {
-  Buffer<CodedPoint<Dim>> coded(selection.GetNumberOfPoints());
-  TouchPages(coded, execution);
+  Buffer<KeyedPoint<Dim>> keyed(selection.GetNumberOfPoints());
+  TouchPages(keyed, execution);
   execution.ForChunks(points.Count, PointSelection<Dim>::ChunkSize,
     [&](std::size_t chunk, std::size_t first, std::size_t last)
     {
@@ -27,27 +27,27 @@ Buffer<CodedPoint<Dim>> EncodePoints(Points points, const PointSelection<Dim>& s
         {
           if (keepsAll || selection.Keeps(points[block + i]))
           {
-            coded[next] = CodedPoint<Dim>(keys[i], static_cast<PointIndex>(block + i));
+            keyed[next] = KeyedPoint<Dim>(keys[i], static_cast<PointIndex>(block + i));
             ++next;
           }
         }
       }
     });
-  return coded;
+  return keyed;
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
-  template Buffer<CodedPoint<Dim>> EncodePoints(                                                   \
+  template Buffer<KeyedPoint<Dim>> MakeKeyedPoints(                                                \
     PointSpan<Dim, float>, const PointSelection<Dim>&, const Grid<Dim>&, const Execution&);        \
-  template Buffer<CodedPoint<Dim>> EncodePoints(                                                   \
+  template Buffer<KeyedPoint<Dim>> MakeKeyedPoints(                                                \
     PointSpan<Dim, double>, const PointSelection<Dim>&, const Grid<Dim>&, const Execution&);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
-template Buffer<CodedPoint<2>> EncodePoints(
+template Buffer<KeyedPoint<2>> MakeKeyedPoints(
   PlaneSpan<float>, const PointSelection<2>&, const Grid<2>&, const Execution&);
-template Buffer<CodedPoint<2>> EncodePoints(
+template Buffer<KeyedPoint<2>> MakeKeyedPoints(
   PlaneSpan<double>, const PointSelection<2>&, const Grid<2>&, const Execution&);
 }

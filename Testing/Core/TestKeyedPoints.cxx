@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MortonCodes.h"
+#include "KeyedPoints.h"
 
 #include "Dimensions.h"
 #include "PointSamples.h"
@@ -8,12 +8,12 @@
 using namespace hashedoctree;
 
 template <typename Dimension>
-class TestMortonCodes : public ::testing::Test
+class TestKeyedPoints : public ::testing::Test
 {
 };
-TYPED_TEST_SUITE(TestMortonCodes, Dimensions);
+TYPED_TEST_SUITE(TestKeyedPoints, Dimensions);
 
-TYPED_TEST(TestMortonCodes, EncodesTheSelectedPointsInOrder)
+TYPED_TEST(TestKeyedPoints, KeepsTheSelectedPointsInOrder)
 {
   constexpr int dim = TypeParam::value;
   // More than one chunk, with gaps at the ends of chunks.
@@ -27,19 +27,19 @@ TYPED_TEST(TestMortonCodes, EncodesTheSelectedPointsInOrder)
   const Grid<dim> grid(selection.GetBox());
   for (const unsigned threads : { 1U, 2U, 8U })
   {
-    const Buffer<CodedPoint<dim>> coded =
-      EncodePoints(sample.GetSpan(), selection, grid, Execution(OnThreads(threads)));
-    ASSERT_EQ(coded.GetSize(), 3 * chunk);
+    const Buffer<KeyedPoint<dim>> keyed =
+      MakeKeyedPoints(sample.GetSpan(), selection, grid, Execution(OnThreads(threads)));
+    ASSERT_EQ(keyed.GetSize(), 3 * chunk);
     std::size_t next = 0;
     for (std::uint32_t id = 0; id < 3 * chunk + 5; ++id)
     {
       if (selection.Keeps(sample.GetSpan()[id]))
       {
-        ASSERT_EQ(coded[next].GetId(), id);
-        ASSERT_EQ(coded[next].GetKey(), grid.GetKey(sample.GetSpan()[id]));
+        ASSERT_EQ(keyed[next].GetId(), id);
+        ASSERT_EQ(keyed[next].GetKey(), grid.GetKey(sample.GetSpan()[id]));
         ++next;
       }
     }
-    EXPECT_EQ(next, coded.GetSize());
+    EXPECT_EQ(next, keyed.GetSize());
   }
 }
