@@ -3,6 +3,7 @@
  * The experiments of the paper (section 5, Tables 1 to 3, claims): trees with pointers, the paper's
  * own layout and ours, over the same points, in turns. Every structure's answers are checked.
  */
+#include "NumberOption.h"
 #include "PaperMeasurement.h"
 #include "PaperReport.h"
 #include "ReportFile.h"
@@ -19,6 +20,7 @@ namespace
 {
 /** Of two repetitions no median could tell much. */
 constexpr int FewestRepetitions = 3;
+constexpr int MostRepetitions = 1000;
 /** Point sets above this are left out of a quick run, and of Data/make_point_sets.py --quick. */
 constexpr std::size_t QuickLimit = 150000;
 
@@ -67,17 +69,13 @@ Options ReadOptions(const std::vector<std::string>& arguments)
     }
     else if (arguments[i] == "--repetitions")
     {
-      options.Repetitions = std::atoi(getValue(++i).c_str());
+      options.Repetitions =
+        ReadNumberOption("--repetitions", getValue(++i), FewestRepetitions, MostRepetitions);
     }
     else
     {
       throw std::runtime_error("unknown argument '" + arguments[i] + "'; try --help");
     }
-  }
-  if (options.Repetitions < FewestRepetitions)
-  {
-    throw std::runtime_error(
-      "--repetitions takes numbers from " + std::to_string(FewestRepetitions) + " on");
   }
   return options;
 }

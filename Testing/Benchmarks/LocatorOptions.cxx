@@ -3,9 +3,9 @@
 
 #include "LocatorPeers.h"
 #include "LocatorSamples.h"
+#include "NumberOption.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <functional>
 #include <map>
@@ -72,31 +72,15 @@ std::vector<std::string> ReadNames(
   return names;
 }
 
-double ReadNumber(
-  const std::string& option, const std::string& text, double smallest, double largest)
-{
-  std::istringstream stream(text);
-  double number = 0.0;
-  if (!(stream >> number) || !stream.eof() || !(number >= smallest && number <= largest))
-  {
-    std::ostringstream message;
-    message << option << " takes numbers from " << smallest << " to " << largest << ", not '"
-            << text << "'";
-    throw std::runtime_error(message.str());
-  }
-  return number;
-}
-
 /** The whole numbers in the list, each once, from small to large. */
 template <typename Integer>
 std::vector<Integer> ReadCounts(
-  const std::string& option, const std::string& list, double smallest, double largest)
+  const std::string& option, const std::string& list, Integer smallest, Integer largest)
 {
   std::vector<Integer> counts;
   for (const std::string& word : Split(list))
   {
-    counts.push_back(
-      static_cast<Integer>(std::llround(ReadNumber(option, word, smallest, largest))));
+    counts.push_back(ReadNumberOption(option, word, smallest, largest));
   }
   std::sort(counts.begin(), counts.end());
   counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
@@ -141,7 +125,7 @@ std::map<std::string, Setter> MakeSetters()
   { options.Data = ReadNames("--data", value, GetSampleNames()); };
   // Fewer points could not fill an answer of 32; more than a float tells apart help nobody.
   setters["--sizes"] = [](LocatorOptions& options, const std::string& value)
-  { options.Sizes = ReadCounts<std::size_t>("--sizes", value, 1000, 1e8); };
+  { options.Sizes = ReadCounts<std::size_t>("--sizes", value, 1000, 100000000); };
   setters["--queries"] = [](LocatorOptions& options, const std::string& value)
   { options.Queries = ReadNames("--queries", value, GetQueryNames()); };
   setters["--operations"] = [](LocatorOptions& options, const std::string& value)
@@ -151,7 +135,7 @@ std::map<std::string, Setter> MakeSetters()
   setters["--peers"] = [](LocatorOptions& options, const std::string& value)
   { options.Peers = ReadNames("--peers", GetPeerKinds()[0].Name + "," + value, GetPeerNames()); };
   setters["--repetition-time"] = [](LocatorOptions& options, const std::string& value)
-  { options.RepetitionTime = ReadNumber("--repetition-time", value, 0.0001, 60); };
+  { options.RepetitionTime = ReadNumberOption("--repetition-time", value, 0.0001, 60.0); };
   setters["--terrain"] = [](LocatorOptions& options, const std::string& value)
   { options.TerrainPath = value; };
   setters["--output"] = [](LocatorOptions& options, const std::string& value)

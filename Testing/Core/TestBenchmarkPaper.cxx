@@ -126,8 +126,8 @@ TEST_F(TestBenchmarkPaper, MissingSetIsAnErrorBeforeAnythingIsMeasured)
 
 TEST_F(TestBenchmarkPaper, BadArguments)
 {
-  for (const std::string arguments :
-    { "--sets sphere", "--quick --sets flow_257k", "--repetitions 2", "--fast", "--sets" })
+  for (const std::string arguments : { "--sets sphere", "--quick --sets flow_257k",
+         "--repetitions 2", "--repetitions 5x", "--repetitions 3.5", "--fast", "--sets" })
   {
     EXPECT_FALSE(this->Run(arguments)) << arguments;
     ASSERT_EQ(this->ReadLog().size(), 1U);
