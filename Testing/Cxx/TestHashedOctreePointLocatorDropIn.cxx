@@ -24,6 +24,7 @@
 #include "vtkPointData.h"
 #include "vtkPointDensityFilter.h"
 #include "vtkPointInterpolator.h"
+#include "vtkPointInterpolator2D.h"
 #include "vtkPointSmoothingFilter.h"
 #include "vtkPoissonDiskSampler.h"
 #include "vtkProbeFilter.h"
@@ -260,6 +261,24 @@ TEST(TestHashedOctreePointLocatorDropIn, PointInterpolatorOfAnImage)
       filter->SetSourceData(source);
       filter->SetKernel(kernel);
       filter->SetLocator(locator);
+      return Execute(filter);
+    });
+}
+
+/** All points in the plane z = 0, which the filter makes of its source. */
+TEST(TestHashedOctreePointLocatorDropIn, PointInterpolator2D)
+{
+  ExpectSameOutput(
+    [](vtkAbstractPointLocator* locator)
+    {
+      vtkNew<vtkGaussianKernel> kernel;
+      kernel->SetRadius(0.15);
+      vtkNew<vtkPointInterpolator2D> filter;
+      filter->SetInputData(MakeImage());
+      filter->SetSourceData(MakeSheet(2000, 65));
+      filter->SetKernel(kernel);
+      filter->SetLocator(locator);
+      filter->SetNullPointsStrategyToClosestPoint();
       return Execute(filter);
     });
 }
