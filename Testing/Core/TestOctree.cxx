@@ -171,6 +171,15 @@ TEST(TestOctreeFacts, EmptyTreeIsOneEmptyLeaf)
   EXPECT_FALSE(tree.FindNode(MortonKey<3>::Root(), EmptyOctants::Missing));
 }
 
+TEST(TestOctreeFacts, TreeOfNoKeysKeepsTheGridThatItIsGiven)
+{
+  const Box<3> box{ { 1.0, 2.0, 3.0 }, { 5.0, 4.0, 6.0 } };
+  const Octree<3> tree(Grid<3>(box), {}, {}, Execution());
+  EXPECT_EQ(tree.GetNumberOfNodes(), 1U);
+  EXPECT_TRUE(tree.GetRoot().IsEmpty());
+  EXPECT_EQ(tree.GetGrid().GetSide(), 4.0);
+}
+
 TEST(TestOctreeFacts, UniformGridHasOneDepth)
 {
   // The full octree as a special case (paper section 1): 16^3 cells.
