@@ -7,14 +7,16 @@
 #include <stdexcept>
 #include <string>
 
+#include <unistd.h>
+
 /** A file that is written beside its place and put there when it is whole: a run that fails, or is
- * interrupted, leaves the one of the run before as it is. */
+ * interrupted, leaves the one of the run before as it is, and of another run at the same time. */
 class ReportFile
 {
 public:
   /** Throws std::runtime_error where nothing can be written, as all members do. */
   explicit ReportFile(const std::string& path)
-    : Path(path)
+    : Path(RequireNoFolder(path))
     , Stream(this->GetPart())
   {
     this->RequireWritten();
@@ -38,7 +40,15 @@ public:
   }
 
 private:
-  std::string GetPart() const { return this->Path + ".part"; }
+  static const std::string& RequireNoFolder(const std::string& path)
+  {
+    if (std::filesystem::is_directory(path))
+    {
+      throw std::runtime_error("'" + path + "' is a folder; give the name of a file");
+    }
+    return path;
+  }
+  std::string GetPart() const { return this->Path + "." + std::to_string(getpid()) + ".part"; }
   void RequireWritten() const
   {
     if (!this->Stream)

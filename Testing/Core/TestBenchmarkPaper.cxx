@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MarkdownTables.h"
+#include "ReportFile.h"
 
 #include <gtest/gtest.h>
 
@@ -59,6 +60,11 @@ protected:
       lines.push_back(line);
     }
     return lines;
+  }
+
+  std::ptrdiff_t CountFiles() const
+  {
+    return std::distance(std::filesystem::directory_iterator(this->Folder), {});
   }
 
   std::filesystem::path Folder;
@@ -121,7 +127,24 @@ TEST_F(TestBenchmarkPaper, MissingSetIsAnErrorBeforeAnythingIsMeasured)
   std::string kept;
   std::getline(std::ifstream(this->Folder / "paper.md"), kept);
   EXPECT_EQ(kept, "of the run before");
-  EXPECT_FALSE(std::filesystem::exists(this->Folder / "paper.md.part"));
+  EXPECT_EQ(this->CountFiles(), 4) << "the points, the log and the old report";
+}
+
+TEST_F(TestBenchmarkPaper, RunThatFailsLeavesTheReportOfAnotherAlone)
+{
+  ReportFile report((this->Folder / "paper.md").string());
+  EXPECT_FALSE(this->Run("--sets sphere"));
+  report.GetStream() << "of another run";
+  report.Keep();
+  EXPECT_EQ(std::filesystem::file_size(this->Folder / "paper.md"), 14U);
+}
+
+TEST_F(TestBenchmarkPaper, FolderIsNoReport)
+{
+  const std::filesystem::path folder = this->Folder / "folder";
+  std::filesystem::create_directory(folder);
+  EXPECT_THROW(ReportFile(folder.string()), std::runtime_error);
+  EXPECT_EQ(this->CountFiles(), 3) << "the points and the folder";
 }
 
 TEST_F(TestBenchmarkPaper, BadArguments)
