@@ -6,14 +6,14 @@
 #   Testing/bench.sh python [POINTS [POSITIONS [REPETITIONS]]]   the locator from Python beside cKDTree
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            --help tells its own arguments
-#   Testing/bench.sh paper [--quick] [--repetitions N]   the paper's Tables 1 to 3, its claims and figures,
-#                                            in build/bench/paper.md; 25 minutes, --quick one
+#   Testing/bench.sh paper [--quick] [arguments]   the paper's Tables 1 to 3, its claims and figures, in
+#                                            build/bench/paper.md; 25 minutes, --quick one; --help as above
 #   Testing/bench.sh --vtk build|locator [arguments]   these two beside Debian's own VTK (libvtk9-dev), which
 #                                            is compiled with optimisation, while that in Debian's ParaView
 #                                            is not; on a machine without ParaView, in build/vtk
 set -euo pipefail
 
-root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 [[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 build="$root/build"
 python=pvpython
@@ -26,26 +26,47 @@ fail() {
   exit 1
 }
 
+# The value that the arguments give an option: get_option NAME DEFAULT ARGUMENT...
+get_option() {
+  local name="$1" value="$2"
+  shift 2
+  while (($#)); do
+    case "$1" in
+      "$name") value="${2:-}" ;;
+      "$name"=*) value="${1#*=}" ;;
+    esac
+    shift
+  done
+  printf '%s\n' "$value"
+}
+
 # This and the next draw also when some answers were wrong (1), but not when the arguments were (2).
 run_paper() {
-  local points="$root/build/data/points" output="$root/build/bench" log="$root/build/bench/draw.log"
-  local quick=() status=0 plugin
+  local quick=() status=0 plugin points markdown output log
   [[ " $* " != *' --help '* ]] || exec "$program" --help
+  points="$(get_option --points '' "$@")"
+  markdown="$(get_option --output "$root/build/bench/paper.md" "$@")"
+  output="$(dirname -- "$markdown")"
+  log="$output/draw.log"
   [[ " $* " != *' --quick '* ]] || quick=(--quick)
   plugin="$("$root/Plugin/find_plugin.sh")"
-  python3 "$root/Data/make_point_sets.py" "$points" "${quick[@]}"
+  if [[ -z "$points" ]]; then
+    points="$root/build/data/points"
+    python3 "$root/Data/make_point_sets.py" "$points" "${quick[@]}"
+  fi
   mkdir -p "$output"
-  "$program" --points "$points" --output "$output/paper.md" "$@" || status=$?
+  "$program" --points "$points" --output "$markdown" "$@" || status=$?
   ((status <= 1)) || exit "$status"
   PYTHONDONTWRITEBYTECODE=1 "$root/Plugin/with_display.sh" pvpython --dr "$root/Testing/Benchmarks/draw_paper.py" \
-    --plugin "$plugin" --points "$points" --output "$output" --markdown "$output/paper.md" >"$log" 2>&1 ||
+    --plugin "$plugin" --points "$points" --output "$output" --markdown "$markdown" >"$log" 2>&1 ||
     fail "$(grep '^draw_paper: ' "$log" || echo "no pictures; all that pvpython said is in $log")"
-  echo "Tables and pictures are in $output/paper.md"
+  echo "Tables and pictures are in $markdown"
   exit "$status"
 }
 
 run_locator() {
-  local terrain="$build/data/terrain.vtp" output="$build/bench" status=0
+  local terrain="$build/data/terrain.vtp" output status=0
+  output="$(get_option --output "$build/bench" "$@")"
   "$root/Data/make_terrain.sh" "$python" "$terrain"
   mkdir -p "$output"
   "$program" --terrain "$terrain" --output "$output" "$@" || status=$?
