@@ -10,7 +10,7 @@ LocatorGroup::LocatorGroup(const LocatorOptions& options, const std::string& dat
   , Data(MakeSample(data, size, options.TerrainPath))
 {
   // More than most repetitions get through, so that the caches do not know the way.
-  constexpr std::size_t numberOfQueries = 40000;
+  constexpr std::size_t numberOfQueries = 400000;
   this->BuildPeers();
   // Of all, nanoflann slows down least on odd data.
   const std::unique_ptr<LocatorPeer> helper = MakeNanoflannPeer();
