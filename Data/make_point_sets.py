@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""python3 make_point_sets.py FOLDER [--quick]
+"""/usr/bin/python3 make_point_sets.py FOLDER [--quick]
 
 Writes point sets of the kinds and sizes of the paper's Table 1 (see README.md): FOLDER/NAME.xyz, raw
 little-endian float32, x y z of one point after the other, in random order. Files that this very script has
@@ -216,7 +216,7 @@ def main(arguments):
     quick = "--quick" in arguments
     folders = [a for a in arguments if a != "--quick"]
     if len(folders) != 1 or folders[0].startswith("-"):
-        sys.exit("make_point_sets: usage: python3 make_point_sets.py FOLDER [--quick]")
+        sys.exit("make_point_sets: usage: /usr/bin/python3 make_point_sets.py FOLDER [--quick]")
     try:
         os.makedirs(folders[0], exist_ok=True)
         remove_outdated(folders[0])

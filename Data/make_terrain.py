@@ -6,6 +6,7 @@ z the height above sea level, also as the point array "Elevation". The origin of
 the terrain, so that float coordinates are exact to about a millimetre.
 """
 import os
+import signal
 import sys
 
 import numpy as np
@@ -88,14 +89,16 @@ def write(surface, path):
         os.replace(partial, path)
     except OSError as error:
         fail(f"cannot write {path}: {error.strerror or error}")
-    finally: # also after Ctrl-C
+    finally:  # also after Ctrl-C
         if os.path.exists(partial):
             os.remove(partial)
 
 
 def main(arguments):
-    if len(arguments) != 1:
+    if len(arguments) != 1 or arguments[0].startswith("-"):
         fail("usage: pvpython make_terrain.py OUT.vtp")
+    for number in (signal.SIGINT, signal.SIGTERM):  # pvpython heeds neither by itself
+        signal.signal(number, lambda number, _: sys.exit(128 + number))
     sample = load_sample()
     surface = make_surface(grid_points(sample), grid_quads(*sample["elevation"].shape))
     write(surface, arguments[0])

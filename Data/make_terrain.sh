@@ -11,7 +11,7 @@ fail() {
 }
 
 (($# == 2)) || fail "usage: Data/make_terrain.sh PYTHON OUT.vtp"
-root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 python="$1"
 file="$2"
 log="${file%.vtp}.log"

@@ -11,7 +11,7 @@
 # Each of them with --tests, --benchmarks or both, in any order.
 set -euo pipefail
 
-root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 [[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 # Debian's tools first: a cmake or python3 from elsewhere does not fit Debian's ParaView.
 PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"

@@ -8,7 +8,7 @@
 # are written to build/demo/ instead.
 set -euo pipefail
 
-root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 demo="$root/build/demo"
 log="$demo/demo.log"
 
@@ -20,7 +20,7 @@ fail() {
 read_arguments() {
   batch=no
   file=
-  [[ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]] || batch=yes
+  [[ -n "${DISPLAY:-}" ]] || batch=yes # ParaView comes without what Wayland alone needs
   while (($#)); do
     case "$1" in
       -h | --help) exec "$root/Plugin/usage.sh" "$0" ;;
@@ -58,11 +58,23 @@ write_pictures() {
 # Passes on the exit code and the one line that our script wrote; all else in the log is ParaView's.
 fail_with_log() {
   local code=$?
+  # By Ctrl-C, or by SIGTERM.
+  ((code != 130 && code != 143)) || exit "$code"
   grep '^demo: ' "$log" >&2 || {
     tail -n 20 "$log" >&2
-    printf 'error: ParaView failed; the last lines are above, all of it is in %s\n' "$log" >&2
+    printf 'error: %s; the last lines are above, all of it is in %s\n' "$(explain "$code")" "$log" >&2
   }
   exit "$code"
+}
+
+explain() {
+  if grep -q 'could not connect to display' "$log"; then
+    printf 'no display at %s; give another, or --batch for pictures' "$DISPLAY"
+  elif (($1 > 128)); then
+    printf 'ParaView crashed; if it cannot read %s, save that as .vtp, .ply or .csv' "$file"
+  else
+    printf 'ParaView failed'
+  fi
 }
 
 read_arguments "$@"

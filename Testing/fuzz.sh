@@ -6,7 +6,7 @@
 # What is found of interest is kept in build/fuzz/corpus, what fails in build/fuzz.
 set -euo pipefail
 
-root="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
 [[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 build="$root/build/fuzz"
 
@@ -27,6 +27,6 @@ for search in LeafSearch PointSearch; do
     "$@" "$build/corpus/$search" "$root/Testing/Fuzz/Corpus/$search" || status=$?
   find "$build" -maxdepth 1 -newer "$start" \
     \( -name 'crash-*' -o -name 'leak-*' -o -name 'oom-*' -o -name 'timeout-*' \) \
-    -printf "To replay: '$program' '%p'\n" >&2
+    -exec printf 'To replay: %q %q\n' "$program" {} \; >&2
   [[ "$status" == 0 ]] || exit "$status"
 done

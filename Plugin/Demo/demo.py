@@ -11,12 +11,14 @@ import argparse
 import contextlib
 import csv
 import os
+import signal
 import sys
 import tempfile
 
 import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 PICTURE_SIZE = 1600, 1000
@@ -33,6 +35,14 @@ SCALE = np.array([[0x5e, 0x4f, 0xa2], [0x32, 0x88, 0xbd], [0x66, 0xc2, 0xa5], [0
 
 class DemoError(Exception):
     """What went wrong and what to do, in one line."""
+
+
+class Stopped(BaseException):
+    """By a signal, of this number."""
+
+
+def stop(number, _):
+    raise Stopped(number)
 
 
 @contextlib.contextmanager
@@ -110,12 +120,17 @@ def to_point_set(source, path):
 def to_points(rows, path):
     """Points from the columns x, y and z of a table, or from those that ParaView writes."""
     row_data = rows.GetDataInformation().DataInformation.GetRowDataInformation()
-    every = [row_data.GetArrayInformation(i).GetName() for i in range(row_data.GetNumberOfArrays())]
-    columns = {name.lower(): name for name in every}
+    every = [row_data.GetArrayInformation(i) for i in range(row_data.GetNumberOfArrays())]
+    if not every:
+        raise DemoError(f"{path} is a table without rows; give one with points")
+    columns = {column.GetName().strip().lower(): column for column in every}
     for names in ("xyz", ("points:0", "points:1", "points:2"), ("points_0", "points_1", "points_2")):
         if all(name in columns for name in names):
+            for name in names:
+                if columns[name].GetDataType() == VTK_STRING:
+                    raise DemoError(f"column {name} of {path} holds words; give a number in each row")
             points = simple.TableToPoints(Input=rows)
-            points.XColumn, points.YColumn, points.ZColumn = (columns[name] for name in names)
+            points.XColumn, points.YColumn, points.ZColumn = (columns[name].GetName() for name in names)
             points.UpdatePipeline()
             return points
     raise DemoError(f"{path} is a table without columns x, y and z; name those of the coordinates so, in its first line")
@@ -538,12 +553,16 @@ def main():
             with quiet():
                 load_plugin(arguments.plugin)
         if arguments.batch:
+            for number in (signal.SIGINT, signal.SIGTERM):  # pvpython heeds neither by itself
+                signal.signal(number, stop)
             write_all(path, arguments.output)
         else:
             show(path)
     except (DemoError, OSError) as error:
         os.write(2, f"demo: {error}\n".encode())  # in ParaView's window sys.stderr is a widget
         os._exit(1)  # ParaView itself would go on, and leave with 0
+    except Stopped as stopped:
+        os._exit(128 + stopped.args[0])
 
 
 if __name__ == "__main__":

@@ -9,7 +9,8 @@ namespace paper_benchmark
 namespace
 {
 constexpr const char* Advice =
-  "; make the points with python3 Data/make_point_sets.py FOLDER, and give --points FOLDER";
+  "; make the points with /usr/bin/python3 Data/make_point_sets.py FOLDER, and give --points "
+  "FOLDER";
 }
 
 const std::vector<PaperSet>& GetPaperSets()

@@ -186,7 +186,8 @@ TEST(TestPaperSets, PointsAreReadWholeOrNotAtAll)
     return std::string();
   };
   const std::string advice =
-    "; make the points with python3 Data/make_point_sets.py FOLDER, and give --points FOLDER";
+    "; make the points with /usr/bin/python3 Data/make_point_sets.py FOLDER, and give --points "
+    "FOLDER";
   const std::string path = "'" + (folder / "two.xyz").string() + "'";
   EXPECT_EQ(getError(), "cannot read " + path + advice);
   const std::string tooSmall = path + " does not hold 2 points" + advice;

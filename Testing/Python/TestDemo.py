@@ -69,7 +69,8 @@ expect_demo(write_points("twins.vtp", np.repeat(random.random((300, 3)), 2, axis
 expect_demo(write_points("flat twins.vtp", np.repeat(flat, 2, axis=0)), 900)
 
 # Rows of a table, of whatever columns ParaView or a scanner writes.
-for first_line in ("Intensity,X,Y,Z", "x,y,z,Points:3", "Points:0,Points:1,Points:2,a", "Points_0,Points_1,Points_2,a"):
+for first_line in ("Intensity,X,Y,Z", "a, x, y, z", "x,y,z,Points:3", "Points:0,Points:1,Points:2,a",
+                   "Points_0,Points_1,Points_2,a"):
     rows = os.path.join(folder, "rows.csv")
     np.savetxt(rows, random.random((200, 4)), delimiter=",", header=first_line, comments="")
     expect_demo(rows, 200)
@@ -89,14 +90,19 @@ assert demo.human_bytes(1023) == "1,023 bytes"
 assert demo.human_bytes(1536) == "1.5 KiB (1,536 bytes)"
 assert demo.human_bytes(2**20 - 1) == "1.0 MiB (1,048,575 bytes)"
 
-try:
-    demo.write_all(rows, folder)
-    sys.exit("A table is shown of which nobody knows the coordinates.")
-except demo.DemoError as error:
-    assert "without columns x, y and z" in str(error), error
 
-try:
-    demo.write_all(os.path.join(folder, "missing.vtp"), folder)
-    sys.exit("A file that is not there is shown.")
-except demo.DemoError as error:
-    assert "does not exist" in str(error), error
+
+def expect_refused(path, reason):
+    try:
+        demo.write_all(path, folder)
+        sys.exit(f"{path} is shown, which should be refused since it {reason}.")
+    except demo.DemoError as error:
+        assert reason in str(error), error
+
+
+expect_refused(rows, "without columns x, y and z")
+expect_refused(os.path.join(folder, "missing.vtp"), "does not exist")
+for text, reason in ("x,y,z\n", "without rows"), ("x,y,z\n1,2,3\n4,5,n/a\n", "column z of"):
+    with open(rows, "w", encoding="ascii") as file:
+        file.write(text)
+    expect_refused(rows, reason)
