@@ -2,6 +2,7 @@
 """What start.sh --batch writes: of files that bring more than points, of tables, and of points that have twins."""
 import csv
 import os
+import signal
 import sys
 
 import numpy as np
@@ -106,3 +107,14 @@ for text, reason in ("x,y,z\n", "without rows"), ("x,y,z\n1,2,3\n4,5,n/a\n", "co
     with open(rows, "w", encoding="ascii") as file:
         file.write(text)
     expect_refused(rows, reason)
+
+# Stopped while it writes, it leaves what was there.
+before = sorted(os.listdir(folder))
+signal.signal(signal.SIGALRM, demo.stop)
+signal.setitimer(signal.ITIMER_REAL, 0.5)
+try:
+    demo.write_all(os.path.join(folder, "hills.vtp"), folder)
+    sys.exit("Nothing stops it.")
+except demo.Stopped as stopped:
+    assert stopped.args == (signal.SIGALRM,), stopped.args
+assert sorted(os.listdir(folder)) == before, os.listdir(folder)
