@@ -60,7 +60,7 @@ fail_with_log() {
   local code=$?
   # By Ctrl-C, or by SIGTERM.
   ((code != 130 && code != 143)) || exit "$code"
-  grep '^demo: ' "$log" >&2 || {
+  grep -a '^demo: ' "$log" >&2 || {
     tail -n 20 "$log" >&2
     printf 'error: %s; the last lines are above, all of it is in %s\n' "$(explain "$code")" "$log" >&2
   }

@@ -78,6 +78,8 @@ def read_points(path):
         raise DemoError(f"{path} may not be read; change its permissions or give another file")
     try:
         source = simple.OpenDataFile(path)
+    except UnicodeEncodeError:
+        raise DemoError(f"the name of {path} is not UTF-8, which ParaView needs; rename it") from None
     except RuntimeError:
         source = None
     if not source:
@@ -559,7 +561,7 @@ def main():
         else:
             show(path)
     except (DemoError, OSError) as error:
-        os.write(2, f"demo: {error}\n".encode())  # in ParaView's window sys.stderr is a widget
+        os.write(2, f"demo: {error}\n".encode(errors="surrogateescape"))  # in ParaView's window sys.stderr is a widget
         os._exit(1)  # ParaView itself would go on, and leave with 0
     except Stopped as stopped:
         os._exit(128 + stopped.args[0])

@@ -108,6 +108,11 @@ for text, reason in ("x,y,z\n", "without rows"), ("x,y,z\n1,2,3\n4,5,n/a\n", "co
         file.write(text)
     expect_refused(rows, reason)
 
+odd = os.path.join(folder, "not UTF-8 \udcff.vtp")
+os.link(os.path.join(folder, "hills.vtp"), odd)
+expect_refused(odd, "rename it")
+os.remove(odd)
+
 # Stopped while it writes, it leaves what was there.
 before = sorted(os.listdir(folder))
 signal.signal(signal.SIGALRM, demo.stop)
