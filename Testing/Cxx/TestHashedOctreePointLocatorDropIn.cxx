@@ -211,6 +211,23 @@ vtkSmartPointer<vtkImageData> MakeImage()
   image->SetSpacing(0.1513, 0.1337, 0.07);
   return image;
 }
+
+/** Of filters that interpolate between points by a kernel. */
+template <typename Filter>
+void ExpectSameInterpolation(vtkInterpolationKernel* kernel)
+{
+  ExpectSameOutput(
+    [kernel](vtkAbstractPointLocator* locator)
+    {
+      vtkNew<Filter> filter;
+      filter->SetInputData(MakeImage());
+      filter->SetSourceData(MakeSheet(2000, 62));
+      filter->SetKernel(kernel);
+      filter->SetLocator(locator);
+      filter->SetNullPointsStrategyToClosestPoint();
+      return Execute(filter);
+    });
+}
 }
 
 TEST(TestHashedOctreePointLocatorDropIn, PointInterpolator)
@@ -227,17 +244,7 @@ TEST(TestHashedOctreePointLocatorDropIn, PointInterpolator)
   for (vtkInterpolationKernel* kernel : kernels)
   {
     SCOPED_TRACE(kernel->GetClassName());
-    ExpectSameOutput(
-      [kernel](vtkAbstractPointLocator* locator)
-      {
-        vtkNew<vtkPointInterpolator> filter;
-        filter->SetInputData(MakeImage());
-        filter->SetSourceData(MakeSheet(2000, 62));
-        filter->SetKernel(kernel);
-        filter->SetLocator(locator);
-        filter->SetNullPointsStrategyToClosestPoint();
-        return Execute(filter);
-      });
+    ExpectSameInterpolation<vtkPointInterpolator>(kernel);
   }
 }
 
@@ -268,19 +275,9 @@ TEST(TestHashedOctreePointLocatorDropIn, PointInterpolatorOfAnImage)
 /** All points in the plane z = 0, which the filter makes of its source. */
 TEST(TestHashedOctreePointLocatorDropIn, PointInterpolator2D)
 {
-  ExpectSameOutput(
-    [](vtkAbstractPointLocator* locator)
-    {
-      vtkNew<vtkGaussianKernel> kernel;
-      kernel->SetRadius(0.15);
-      vtkNew<vtkPointInterpolator2D> filter;
-      filter->SetInputData(MakeImage());
-      filter->SetSourceData(MakeSheet(2000, 65));
-      filter->SetKernel(kernel);
-      filter->SetLocator(locator);
-      filter->SetNullPointsStrategyToClosestPoint();
-      return Execute(filter);
-    });
+  vtkNew<vtkGaussianKernel> kernel;
+  kernel->SetRadius(0.15);
+  ExpectSameInterpolation<vtkPointInterpolator2D>(kernel);
 }
 
 TEST(TestHashedOctreePointLocatorDropIn, SPHInterpolator)
