@@ -69,7 +69,7 @@ fail_with_log() {
 
 explain() {
   if grep -q 'could not connect to display' "$log"; then
-    printf 'no display at %s; give another, or --batch for pictures' "$DISPLAY"
+    printf 'no display at %s; give another, or --batch for pictures' "${DISPLAY:-}"
   elif (($1 > 128)); then
     printf 'ParaView crashed; if it cannot read %s, save that as .vtp, .ply or .csv' "$file"
   else

@@ -9,7 +9,8 @@ LocatorGroup::LocatorGroup(const LocatorOptions& options, const std::string& dat
   : Options(options)
   , Data(MakeSample(data, size, options.TerrainPath))
 {
-  // More than most repetitions get through, so that the caches do not know the way.
+  // A repetition does not get through them but by the shortest searches (below 100 ns), so that the
+  // caches do not know the way.
   constexpr std::size_t numberOfQueries = 400000;
   this->BuildPeers();
   // Of all, nanoflann slows down least on odd data.

@@ -4,61 +4,56 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include <unistd.h>
 
-/** A file that is written beside its place and put there when it is whole: a run that fails, or is
- * interrupted, leaves the one of the run before as it is, and of another run at the same time. */
+/** A file that is written at once when all that it holds is there: a run that fails, or is
+ * interrupted, leaves the one of the run before as it is, another run's too, and nothing else. */
 class ReportFile
 {
 public:
-  /** Throws std::runtime_error where nothing can be written, as all members do. */
+  /** Throws std::runtime_error where nothing can be written, as Keep() does. */
   explicit ReportFile(const std::string& path)
-    : Path(RequireNoFolder(path))
-    , Stream(this->GetPart())
-  {
-    this->RequireWritten();
-  }
-  ~ReportFile()
-  {
-    std::error_code ignored;
-    std::filesystem::remove(this->GetPart(), ignored);
-  }
-  ReportFile(const ReportFile&) = delete;
-  ReportFile& operator=(const ReportFile&) = delete;
-
-  std::ostream& GetStream() { return this->Stream; }
-
-  /** Puts what was written in its place. */
-  void Keep()
-  {
-    this->Stream.close();
-    this->RequireWritten();
-    std::filesystem::rename(this->GetPart(), this->Path);
-  }
-
-private:
-  static const std::string& RequireNoFolder(const std::string& path)
+    : Path(path)
+    , Part(path + "." + std::to_string(getpid()) + ".part")
   {
     if (std::filesystem::is_directory(path))
     {
       throw std::runtime_error("'" + path + "' is a folder; give the name of a file");
     }
-    return path;
+    this->WritePart(); // Only to be told now, and not after half an hour.
+    std::filesystem::remove(this->Part);
   }
-  std::string GetPart() const { return this->Path + "." + std::to_string(getpid()) + ".part"; }
-  void RequireWritten() const
+
+  std::ostream& GetStream() { return this->Stream; }
+
+  /** Puts what the stream holds in its place. */
+  void Keep() const
   {
-    if (!this->Stream)
+    this->WritePart();
+    std::filesystem::rename(this->Part, this->Path);
+  }
+
+private:
+  void WritePart() const
+  {
+    std::ofstream file(this->Part);
+    file << this->Stream.str();
+    file.close();
+    if (!file)
     {
+      std::error_code ignored;
+      std::filesystem::remove(this->Part, ignored);
       throw std::runtime_error("cannot write to '" + this->Path + "'");
     }
   }
 
   std::string Path;
-  std::ofstream Stream;
+  std::string Part;
+  std::ostringstream Stream;
 };
 
 #endif

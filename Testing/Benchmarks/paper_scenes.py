@@ -33,7 +33,8 @@ class PointSet:
         self.name, self.paper_name = name, paper_name
         path = os.path.join(folder, f"{name}.xyz")
         if not os.path.isfile(path):
-            raise demo.DemoError(f"{path} does not exist; make it with /usr/bin/python3 Data/make_point_sets.py {folder}")
+            raise demo.DemoError(f"{path} does not exist; "
+                                 f"make it with /usr/bin/python3 Data/make_point_sets.py {folder}")
         self.points = np.fromfile(path, "<f4").reshape(-1, 3)
         self.source = to_source(self.points)
         self.octree = demo.apply_octree(self.source, path)

@@ -133,6 +133,7 @@ TEST_F(TestBenchmarkPaper, MissingSetIsAnErrorBeforeAnythingIsMeasured)
 TEST_F(TestBenchmarkPaper, RunThatFailsLeavesTheReportOfAnotherAlone)
 {
   ReportFile report((this->Folder / "paper.md").string());
+  EXPECT_EQ(this->CountFiles(), 2) << "the points; a run that is killed leaves nothing else";
   EXPECT_FALSE(this->Run("--sets sphere"));
   report.GetStream() << "of another run";
   report.Keep();
