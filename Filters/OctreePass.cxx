@@ -35,8 +35,8 @@ constexpr double AdaptorShare = 0.02;
 constexpr double SelectionShare = 0.05;
 /** Share of the progress of building a tree of keys: where these are made. */
 constexpr double KeysShare = 0.2;
-/** And of making them: where there is one for each point. */
-constexpr double CodesShare = 0.4;
+/** And of making them: where each point has one. */
+constexpr double KeyedShare = 0.4;
 constexpr std::size_t PointsAtATime = 4096; ///< Between looks whether to go on.
 
 /** The points that a process has for a tree, but for those that VTK marks as another piece's. */
@@ -55,10 +55,10 @@ std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim
   const OwnPoints<Real>& own, const Execution& execution)
 {
   const auto keyed = MakeKeyedPoints(Project(own.Points, frame, own.Selection.GetBox()),
-    PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, CodesShare));
+    PointSelection<Dim>(own.Selection, frame.GetAxes()), grid, execution.Part(0.0, KeyedShare));
   std::vector<MortonKey<Dim>> keys;
   keys.reserve(keyed.GetSize());
-  execution.Part(CodesShare, CodesShare)
+  execution.Part(KeyedShare, KeyedShare)
     .OnOneThread()
     .ForEach(keyed.GetSize(), PointsAtATime,
       [&](std::size_t i)
@@ -70,7 +70,7 @@ std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim
       });
   if (own.Merge)
   {
-    keys = GetDistinctKeys(keys, execution.Part(CodesShare, 1.0));
+    keys = GetDistinctKeys(keys, execution.Part(KeyedShare, 1.0));
   }
   return keys;
 }
