@@ -11,6 +11,24 @@
 
 namespace hashedoctree
 {
+namespace
+{
+/** Gives the blocks of one that has a name its name, as far as they have none: the partitions of a
+ * block of a collection, in place of which the tables stand that charts tell by name. */
+void PassName(vtkInformation* ofParent, vtkMultiBlockDataSet* blocks)
+{
+  const char* name = ofParent->Get(vtkCompositeDataSet::NAME());
+  for (unsigned i = 0; name != nullptr && i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    vtkInformation* ofChild = blocks->GetMetaData(i);
+    if (!ofChild->Has(vtkCompositeDataSet::NAME()))
+    {
+      ofChild->Set(vtkCompositeDataSet::NAME(), name);
+    }
+  }
+}
+}
+
 void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* copy)
 {
   const auto children = vtk::TakeSmartPointer(tree->NewTreeIterator());
@@ -31,6 +49,10 @@ void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* co
     if (children->HasCurrentMetaData())
     {
       copy->GetMetaData(child)->Copy(children->GetCurrentMetaData());
+      if (blocks)
+      {
+        PassName(children->GetCurrentMetaData(), blocks);
+      }
     }
     ++child;
   }

@@ -10,7 +10,8 @@ namespace hashedoctree
 {
 /** Copies the structure of a tree of blocks and the field data within it, with
  * vtkMultiBlockDataSets for whatever is composite in it, which may hold any blocks: composite ones,
- * or tables that ParaView's charts can draw. Private to the module. */
+ * or tables that ParaView's charts can draw. Blocks without a name get that of the block that they
+ * are in. Private to the module. */
 void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* copy);
 
 /** Copies the structure of a composite data set to an output, which is of its class or a

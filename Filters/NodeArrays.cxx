@@ -4,25 +4,16 @@
 #include "DirectSearch.h"
 #include "ResizeArray.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkTypeUInt64Array.h"
 
 namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t NodesOfPart = 512; // That a thread describes at a time.
-
-template <typename Array>
-vtkNew<Array> MakeArray(const char* name, std::size_t size)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  ResizeArray(array.Get(), size);
-  return array;
-}
+constexpr std::size_t Grain = 512; // Nodes that a thread describes at a time.
 }
 
 template <int Dim>
@@ -34,9 +25,9 @@ void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   const auto depths = MakeArray<vtkIntArray>("Depth", size);
   const auto hitCosts = MakeArray<vtkIntArray>("HitCost", size);
   const auto rootCosts = MakeArray<vtkIntArray>("RootCost", size);
-  const auto pointCounts = MakeArray<vtkIdTypeArray>("PointCount", size);
+  const auto pointCounts = MakeArray<vtkTypeInt64Array>("PointCount", size);
   const auto keys = MakeArray<vtkTypeUInt64Array>("MortonKey", size);
-  execution.ForEach(size, NodesOfPart,
+  execution.ForEach(size, Grain,
     [&](std::size_t i)
     {
       const typename Octree<Dim>::Node& node = nodes[i];
@@ -47,7 +38,7 @@ void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
       depths->SetValue(id, node.NodeKey.GetDepth());
       hitCosts->SetValue(id, cost(startDepth));
       rootCosts->SetValue(id, cost(0));
-      pointCounts->SetValue(id, node.GetNumberOfPoints());
+      pointCounts->SetValue(id, static_cast<vtkTypeInt64>(node.GetNumberOfPoints()));
       keys->SetValue(id, node.NodeKey.GetValue());
     });
   cellData->AddArray(depths);

@@ -16,6 +16,9 @@ namespace hashedoctree
 /** VTK numbers the vertices of a hyper tree by 32 bits; the last number stands for none. */
 constexpr std::size_t MaxNumberOfHyperTreeVertices = std::numeric_limits<std::uint32_t>::max();
 
+/** Children of a node along each axis. */
+constexpr unsigned BranchFactor = 2;
+
 /** Throws std::length_error, with what to tell the user, for more nodes than can be vertices. */
 inline void RequireHyperTreeVertices(std::size_t nodes)
 {

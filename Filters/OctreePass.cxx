@@ -37,7 +37,7 @@ constexpr double SelectionShare = 0.05;
 constexpr double KeysShare = 0.2;
 /** And of making them: where each point has one. */
 constexpr double KeyedShare = 0.4;
-constexpr std::size_t PointsAtATime = 4096; ///< Between looks whether to go on.
+constexpr std::size_t Grain = 4096; ///< Points between looks whether to go on.
 
 /** The points that a process has for a tree, but for those that VTK marks as another piece's. */
 template <typename Real>
@@ -60,7 +60,7 @@ std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim
   keys.reserve(keyed.GetSize());
   execution.Part(KeyedShare, KeyedShare)
     .OnOneThread()
-    .ForEach(keyed.GetSize(), PointsAtATime,
+    .ForEach(keyed.GetSize(), Grain,
       [&](std::size_t i)
       {
         if (!own.Others.Have(static_cast<vtkIdType>(keyed[i].GetId())))
@@ -129,7 +129,7 @@ bool AreEqual(const Parted<std::uint64_t>& parts)
 }
 
 /** Where the leaves of a composite data set are, those that hold nothing, too. */
-std::vector<std::uint64_t> ListLeaves(vtkDataObjectTreeIterator* leaves)
+std::vector<std::uint64_t> ListPlaces(vtkDataObjectTreeIterator* leaves)
 {
   std::vector<std::uint64_t> indices;
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
@@ -183,12 +183,12 @@ void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
   }
   const auto blocks = vtk::TakeSmartPointer(input->NewTreeIterator());
   blocks->SetSkipEmptyNodes(0); // Another process may have something there.
-  const std::vector<std::uint64_t> leaves = ListLeaves(blocks);
-  if (!AreEqual(this->Processes.Gather(leaves)))
+  const std::vector<std::uint64_t> places = ListPlaces(blocks);
+  if (!AreEqual(this->Processes.Gather(places)))
   {
     this->Processes = ProcessGroup::OfPart();
   }
-  const auto numberOfBlocks = static_cast<double>(leaves.size());
+  const auto numberOfBlocks = static_cast<double>(places.size());
   double block = 0.0;
   for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
   {

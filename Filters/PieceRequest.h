@@ -14,9 +14,9 @@ namespace hashedoctree
 // What a REQUEST_DATA says of the pieces of a distributed data set, and how it is done together
 // with those who have the others. Private to the module.
 
-/** Those that have the other pieces: of the algorithm's controller when as many pieces are asked
- * for as it has processes, and of each its own, else this one alone, with its part
- * where several are asked for. By what the output says that the request came from. */
+/** The processes of the algorithm's controller, where the output that the request came from is
+ * asked for as many pieces as there are of them, and here for this one's. Else this process alone,
+ * which has but a part of the data where several pieces are asked for. */
 ProcessGroup FindProcesses(
   vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputVector);
 

@@ -52,10 +52,15 @@ bool vtkHashedOctreePointLocator::RunBatch(
   {
     return false;
   }
+  const bool wasBuilt = this->IsUpToDate();
   this->GetIndex();
   const std::shared_ptr<const Index> index = this->Built;
-  if (index->IsFailed)
+  if (!index->Problem.empty())
   {
+    if (wasBuilt) // Else the build has just told.
+    {
+      vtkErrorMacro(<< index->Problem);
+    }
     return false;
   }
   const auto fail = [this, outputs](const char* problem)

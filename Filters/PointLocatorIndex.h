@@ -18,6 +18,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <typeinfo>
 #include <variant>
 
@@ -33,7 +34,7 @@ public:
   hashedoctree::LeafNumbers<3> Leaves;
   std::optional<hashedoctree::Box<3>> Bounds; ///< Of the points, if there are any.
   std::size_t SkippedPoints = 0;
-  bool IsFailed = false;               ///< There was an error, and no point is found.
+  std::string Problem;                 ///< What went wrong, if anything; no point is found then.
   vtkPointSet* PointSet = nullptr;     ///< The locator's data set, if it is watched by its parts,
   vtkPoints* PointsOfSet = nullptr;    ///< its points,
   vtkDataArray* Coordinates = nullptr; ///< and their coordinates.

@@ -52,7 +52,7 @@ struct PointsOctree
     return this->GetNumberOfLeaves() +
       (this->GetNumberOfLeaves() - 1) / (Octree<Dim>::NumberOfOctants - 1);
   }
-  int GetDeepestDepth() const { return static_cast<int>(this->Counts.Leaves.size()) - 1; }
+  int GetDeepestDepth() const { return this->Counts.GetDeepestDepth(); }
 
   /** Gives those nodes of the tree that have points of other processes all of them. */
   void CompletePoints(Buffer<typename Octree<Dim>::Node>& nodes) const

@@ -15,9 +15,7 @@ namespace
 template <typename Array>
 Array* AddPointArray(vtkDataSet* dataSet, const char* name)
 {
-  vtkNew<Array> array;
-  array->SetName(name);
-  ResizeArray(array.Get(), static_cast<std::size_t>(dataSet->GetNumberOfPoints()));
+  const auto array = MakeArray<Array>(name, static_cast<std::size_t>(dataSet->GetNumberOfPoints()));
   dataSet->GetPointData()->RemoveArray(name);
   dataSet->GetPointData()->AddArray(array);
   return array;

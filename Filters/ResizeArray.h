@@ -5,6 +5,7 @@
 #include "LargePages.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkNew.h"
 #include "vtkType.h"
 
 #include <cstddef>
@@ -38,6 +39,16 @@ void ResizeArray(Array* array, std::size_t size)
   UseLargePages(memory, size * sizeof(Value));
   array->SetArray(static_cast<Value*>(memory), static_cast<vtkIdType>(size), /*save=*/0,
     vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+}
+
+/** A new array of one component with so many values. Throws as ResizeArray() does. */
+template <typename Array>
+vtkNew<Array> MakeArray(const char* name, std::size_t size)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  ResizeArray(array.Get(), size);
+  return array;
 }
 }
 

@@ -173,7 +173,7 @@ int vtkHashedOctreeFilter::GetTypeOfOutput(int port, vtkInformationVector** vtkN
 int vtkHashedOctreeFilter::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return RunTogether(this, request, outputVector,
+  const int done = RunTogether(this, request, outputVector,
     [&](const ProcessGroup& processes)
     {
       std::optional<Box<3>> root;
@@ -195,6 +195,13 @@ int vtkHashedOctreeFilter::RequestData(
         vtkWarningMacro(<< "No point with finite coordinates lies in CustomBounds; widen them.");
       }
     });
+  // Without points, and after an error. VTK's reader ends the program where a file has none.
+  auto* grid = vtkHyperTreeGrid::GetData(outputVector, 0);
+  if (grid != nullptr && grid->GetBranchFactor() == 0)
+  {
+    grid->SetBranchFactor(BranchFactor);
+  }
+  return done;
 }
 
 void vtkHashedOctreeFilter::PrintSelf(ostream& os, vtkIndent indent)

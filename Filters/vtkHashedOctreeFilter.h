@@ -28,7 +28,7 @@
  * - HitCost (int): nodes that a search for this leaf from the start depth examines, counted in a
  *   real search; 1 + |Depth - StartDepth|. 0 on internal nodes, where no search ends;
  * - RootCost (int): the same for a search from the root;
- * - PointCount (vtkIdType): points in the node;
+ * - PointCount (vtkTypeInt64): points in the node;
  * - MortonKey (unsigned 64-bit): key of the node, 1 for the root, a child's key being
  *   8 * key + octant, where x is the high bit of the octant (in VTK's own octrees it is the low
  *   one); in a quadtree 4 * key + quadrant, where the first axis of the plane is the high bit.

@@ -88,12 +88,8 @@ CaseCounts AddNeighborArrays(vtkUnstructuredGrid* output, std::size_t queries,
   const Neighbors<Dim>& neighbors, const Execution& execution)
 {
   using Filter = vtkHashedOctreeNeighborsFilter;
-  vtkNew<vtkIntArray> roles;
-  roles->SetName("Role");
-  ResizeArray(roles.Get(), queries + neighbors.size());
-  vtkNew<vtkIntArray> cases;
-  cases->SetName("Case");
-  ResizeArray(cases.Get(), queries + neighbors.size());
+  const auto roles = MakeArray<vtkIntArray>("Role", queries + neighbors.size());
+  const auto cases = MakeArray<vtkIntArray>("Case", queries + neighbors.size());
   if (queries > 0)
   {
     roles->SetValue(0, Filter::Query);

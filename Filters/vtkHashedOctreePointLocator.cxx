@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <exception>
 #include <new>
-#include <string>
 #include <utility>
 #include <variant>
 
@@ -178,11 +177,11 @@ void vtkHashedOctreePointLocator::ForceBuildLocator()
 
 void vtkHashedOctreePointLocator::BuildLocatorInternal()
 {
-  const std::string problem = this->BuildIndex();
+  this->BuildIndex();
   // All is built: who hears of this may ask the locator.
-  if (!problem.empty())
+  if (!this->Built->Problem.empty())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< this->Built->Problem);
   }
   else if (this->Built->SkippedPoints > 0)
   {
@@ -190,16 +189,14 @@ void vtkHashedOctreePointLocator::BuildLocatorInternal()
   }
 }
 
-std::string vtkHashedOctreePointLocator::BuildIndex()
+void vtkHashedOctreePointLocator::BuildIndex()
 {
   this->FreeSearchStructure();
   auto index = std::make_shared<Index>();
-  std::string problem;
-  const auto fail = [&index, &problem](const char* text)
+  const auto fail = [&index](const char* problem)
   {
     *index = Index(); // Makes room for the text, too.
-    index->IsFailed = true;
-    problem = text;
+    index->Problem = problem;
   };
   try
   {
@@ -226,7 +223,6 @@ std::string vtkHashedOctreePointLocator::BuildIndex()
   }
   this->Built = std::move(index);
   this->BuildTime.Modified();
-  return problem;
 }
 
 void vtkHashedOctreePointLocator::Fill(Index& index)

@@ -59,8 +59,10 @@
  * to vtkPointSet::SetPointLocator() has to call SetDataSet() as well.) The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
  * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
- * memory, is an error, after which queries find nothing. A query that has not enough memory for
- * what it finds is an error, too, and finds nothing; so is one without a list to put its ids into.
+ * memory, is an error (a kilobyte is needed to tell of it). Until the next build, as after
+ * Modified(), queries then find nothing, and batches are the same error again. A query that has not
+ * enough memory for what it finds is an error, too, and finds nothing; so is one without a list to
+ * put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
@@ -81,7 +83,6 @@
 #include <atomic>           // For the end of a batch
 #include <initializer_list> // For the outputs of a batch
 #include <memory>           // For std::shared_ptr
-#include <string>           // For what goes wrong in a build
 
 class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreePointLocator : public vtkAbstractPointLocator
 {
@@ -302,8 +303,8 @@ private:
     vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs, const Function& function);
   bool IsUpToDate() const;
   bool HasSamePoints() const;
-  /** Builds anew, and returns what went wrong, if anything, instead of telling of it. */
-  std::string BuildIndex();
+  /** Builds anew; the index has what went wrong, if anything, which this does not tell. */
+  void BuildIndex();
   void Fill(Index& index);
   void SetStartDepthProperty(int& property, int value);
   void ChooseStartDepths(Index& index) const;

@@ -31,7 +31,7 @@ public:
     , Count(last - first)
   {
     const Octree<Dim>& nodes = tree.GetOctree();
-    if (tree.GetBytes() > CachedBytes && !AreTogether(nodes, positions, first, last))
+    if (tree.GetBytes() > BytesInCaches && !AreTogether(nodes, positions, first, last))
     {
       this->Sort(nodes.GetGrid(), positions, execution);
     }
@@ -46,7 +46,7 @@ public:
 
 private:
   using Key = MortonKey<Dim>;
-  static constexpr std::size_t CachedBytes = std::size_t(2) << 20;
+  static constexpr std::size_t BytesInCaches = std::size_t(2) << 20;
   static constexpr std::size_t PositionsPerCell = 8; ///< In a cell of so many order is of no use.
   static constexpr std::size_t Grain = 8192; ///< Positions whose keys a thread makes at a time.
   static constexpr std::size_t SampleDistance = 61; ///< From one position that is looked at to

@@ -49,6 +49,8 @@ struct DepthCounts
 
   /** A root that is an empty leaf. */
   static DepthCounts OfEmptyTree() { return DepthCounts{ { 1 }, { 1 }, { 0 } }; }
+
+  int GetDeepestDepth() const { return static_cast<int>(this->Leaves.size()) - 1; }
 };
 
 /**

@@ -9,8 +9,8 @@ namespace hashedoctree
 /**
  * Integer dilation (paper section 2, after its reference [11]): spreading the bits of an integer
  * so that bit i comes to stand at bit Dim * i, and contracting them back. Interleaving Dim dilated
- * integers gives a Morton code. The magic masks are derived here instead of being written out, so
- * that every dimension uses one body.
+ * integers gives a Morton key but for its leading 1. The magic masks are derived here instead of
+ * being written out, so that every dimension uses one body.
  */
 template <int Dim>
 struct Dilation

@@ -81,7 +81,7 @@ public:
 
   /** Leaves, empty leaves and points of each depth from 0 to the deepest. */
   const DepthCounts& GetDepthCounts() const { return this->Counts; }
-  int GetDeepestDepth() const { return static_cast<int>(this->Counts.Leaves.size()) - 1; }
+  int GetDeepestDepth() const { return this->Counts.GetDeepestDepth(); }
   /** The weighted median of the leaves' depths as they are now. O(depths). */
   int GetStartDepth(FrequencyModel frequency) const
   {

@@ -18,16 +18,16 @@ Buffer<KeyedPoint<Dim>> MakeKeyedPoints(Points points, const PointSelection<Dim>
       const bool keepsAll = selection.KeepsAll();
       std::array<MortonKey<Dim>, MostKeysAtOnce> keys;
       std::size_t next = selection.GetFirstOfChunk(chunk);
-      for (std::size_t block = first; block < last; block += MostKeysAtOnce)
+      for (std::size_t begin = first; begin < last; begin += MostKeysAtOnce)
       {
-        const std::size_t count = std::min(last - block, MostKeysAtOnce);
+        const std::size_t count = std::min(last - begin, MostKeysAtOnce);
         // Those of points that do not take part have no meaning.
-        GetKeys<Dim>(grid, points, block, count, keys.data());
+        GetKeys<Dim>(grid, points, begin, count, keys.data());
         for (std::size_t i = 0; i < count; ++i)
         {
-          if (keepsAll || selection.Keeps(points[block + i]))
+          if (keepsAll || selection.Keeps(points[begin + i]))
           {
-            keyed[next] = KeyedPoint<Dim>(keys[i], static_cast<PointIndex>(block + i));
+            keyed[next] = KeyedPoint<Dim>(keys[i], static_cast<PointIndex>(begin + i));
             ++next;
           }
         }

@@ -3,6 +3,7 @@
 #define hashedoctree_KeyedPoints_h
 
 #include "Buffer.h"
+#include "PointIndex.h"
 #include "PointSelection.h"
 
 #include <array>

@@ -17,8 +17,7 @@
 
 namespace hashedoctree
 {
-/** So many of a kind, in vector registers where the machine has them. Private to sources that are
- * compiled for several machines. */
+/** So many of a kind, in vector registers where the machine has them. */
 template <typename T, std::size_t Number>
 using Lanes __attribute__((vector_size(Number * sizeof(T)))) = T;
 

@@ -105,7 +105,7 @@ public:
   }
 
   /** Whether it stays in a core's second cache, so that to ask for slots ahead is of no use. */
-  bool IsCached() const { return this->GetBytes() <= CachedBytes; }
+  bool IsCached() const { return this->GetBytes() <= BytesOfSecondCache; }
 
   /** Asks the machine to load the slot where a key would be, for a later Insert() or Find(). Inline
    * always: left to itself GCC takes a function that only does so for one that does nothing, and
@@ -195,7 +195,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t CachedBytes = std::size_t(1) << 20;
+  static constexpr std::size_t BytesOfSecondCache = std::size_t(1) << 20;
 
   /** Slots are filled from the first on; key 0 marks a free one. */
   struct alignas(SlotsOfBucket*(sizeof(std::uint64_t) + sizeof(Value))) Bucket

@@ -6,6 +6,7 @@
 #include "DepthStatistics.h"
 #include "NodeTable.h"
 #include "PlacesOfBits.h"
+#include "PointIndex.h"
 #include "PointSelection.h"
 #include "SpareMemory.h"
 
@@ -143,7 +144,7 @@ public:
   const Options& GetOptions() const { return this->BuildOptions; }
   /** Leaves, empty leaves and points of each depth from 0 to the deepest. */
   const DepthCounts& GetDepthCounts() const { return this->Counts; }
-  int GetDeepestDepth() const { return static_cast<int>(this->Counts.Leaves.size()) - 1; }
+  int GetDeepestDepth() const { return this->Counts.GetDeepestDepth(); }
 
   std::size_t GetNumberOfPoints() const { return this->PointIds.GetSize(); }
   std::size_t GetNumberOfInternalNodes() const { return this->Blocks.GetSize(); }

@@ -2,6 +2,7 @@
 #include "PointSelection.h"
 
 #include "FiniteBox.h"
+#include "PointIndex.h"
 
 #include <sstream>
 #include <stdexcept>

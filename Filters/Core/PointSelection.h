@@ -4,7 +4,6 @@
 
 #include "Execution.h"
 #include "Grid.h"
-#include "PointIndex.h"
 
 #include <algorithm>
 #include <cmath>

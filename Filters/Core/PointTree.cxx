@@ -141,7 +141,7 @@ PointTree<Dim, Real>::PointTree(PointSpan<Dim, Real> points, const PointSelectio
 template <int Dim, typename Real>
 void PointTree<Dim, Real>::SetStartDepths(const StartDepthOptions& options)
 {
-  this->Starts = StartDepths<Dim>(this->Tree, options);
+  StartDepths<Dim> starts(this->Tree, options);
   StartDepthOptions ofNested = options;
   if (options.Model == StartDepthModel::Local)
   {
@@ -151,6 +151,7 @@ void PointTree<Dim, Real>::SetStartDepths(const StartDepthOptions& options)
   {
     nested.Points.SetStartDepths(ofNested);
   }
+  this->Starts = std::move(starts);
 }
 
 template <int Dim, typename Real>

@@ -43,7 +43,8 @@ public:
   std::size_t GetNumberOfPoints() const { return this->Tree.GetNumberOfPoints(); }
 
   /** Chooses anew where searches start, in nested trees too: by the same options, but for the Local
-   * model at their medians. */
+   * model at their medians. Where memory is out it throws std::bad_alloc, and the start depths are
+   * as before, but perhaps for some nested trees. */
   void SetStartDepths(const StartDepthOptions& options);
   const StartDepths<Dim>& GetStartDepths() const { return this->Starts; }
 

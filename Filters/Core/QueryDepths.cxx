@@ -11,7 +11,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t QueriesOfChunk = 4096; // Positions that a thread does at a time.
+constexpr std::size_t ChunkSize = 4096; // Positions that a thread does at a time.
 }
 
 template <int Dim, typename Points>
@@ -19,14 +19,14 @@ std::vector<MortonKey<Dim>> GetQueryKeys(
   const Grid<Dim>& grid, Points queries, const Execution& execution)
 {
   std::vector<MortonKey<Dim>> keys(queries.Count);
-  execution.ForChunks(queries.Count, QueriesOfChunk,
+  execution.ForChunks(queries.Count, ChunkSize,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
-      for (std::size_t block = first; block < last; block += MostKeysAtOnce)
+      for (std::size_t begin = first; begin < last; begin += MostKeysAtOnce)
       {
-        const std::size_t count = std::min(last - block, MostKeysAtOnce);
-        GetKeys<Dim>(grid, queries, block, count, &keys[block]);
-        for (std::size_t i = block; i < block + count; ++i)
+        const std::size_t count = std::min(last - begin, MostKeysAtOnce);
+        GetKeys<Dim>(grid, queries, begin, count, &keys[begin]);
+        for (std::size_t i = begin; i < begin + count; ++i)
         {
           keys[i] = IsFinite(GetPosition<Dim>(queries, i)) ? keys[i] : MortonKey<Dim>(0);
         }
@@ -41,12 +41,12 @@ DepthHistogram MeasureQueryDepths(
 {
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
   const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
-  const auto chunks = execution.MapChunks(keys.size(), QueriesOfChunk,
+  const auto chunks = execution.MapChunks(keys.size(), ChunkSize,
     [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};
       FindLeaves(
-        tree, KeySpan<Dim>{ keys.data(), keys.size() }, first, last,
+        tree, KeySpan<Dim>{ keys.data() }, first, last,
         [startDepth](MortonKey<Dim>) { return startDepth; },
         [&counts, &keys](std::size_t i, const FoundLeaf<Dim>& leaf)
         {

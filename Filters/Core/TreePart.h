@@ -44,7 +44,7 @@ public:
 
   /** Of all builders. */
   const DepthCounts& GetDepthCounts() const { return *this->Counts; }
-  int GetDeepestDepth() const { return static_cast<int>(this->Counts->Leaves.size()) - 1; }
+  int GetDeepestDepth() const { return this->Counts->GetDeepestDepth(); }
 
   /** Waits for the other builders; see AddUpFunction. */
   void AddUp(std::vector<std::uint64_t>& values) const

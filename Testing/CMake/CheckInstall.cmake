@@ -60,6 +60,16 @@ run("${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${SOURCE_DIR}/Testing/Consumer" -B 
 run("${CMAKE_COMMAND}" --build "${work}/consumer")
 run("${work}/consumer/consumer")
 
+file(WRITE "${work}/other/CMakeLists.txt" "cmake_minimum_required(VERSION 3.22)
+project(Other CXX)
+find_package(HashedOctree REQUIRED COMPONENTS Filters Other)
+")
+execute_process(COMMAND "${CMAKE_COMMAND}" -G "${GENERATOR}" -S "${work}/other" -B "${work}/other/build"
+  "-DCMAKE_PREFIX_PATH=${prefix}" RESULT_VARIABLE result ERROR_VARIABLE problem OUTPUT_QUIET)
+if (result EQUAL 0 OR NOT problem MATCHES "HashedOctree has no component Other")
+  message(SEND_ERROR "A component that is not there is not told of: ${problem}")
+endif ()
+
 file(GLOB_RECURSE plugin "${prefix}/*/${PLUGIN}")
 set(ENV{PYTHONPATH} "${prefix}/${PYTHON_DIR}")
 run("${PVPYTHON}" --dr "${SOURCE_DIR}/Testing/Consumer/LoadInstalled.py" "${plugin}" "${prefix}")

@@ -5,6 +5,7 @@
 #include "OnThisThread.h"
 #include "PointSamples.h"
 #include "SampleTree.h"
+#include "ScarceMemory.h"
 #include "Threads.h"
 #include "ToldProgress.h"
 
@@ -280,6 +281,35 @@ TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
   EXPECT_EQ(starts.GetBytes(), 0U);
   EXPECT_GT(starts.GetOfTree(), 1);
   EXPECT_EQ(tree.GetBytes(), bytes + 4096);
+}
+
+TEST(TestPointTreeFacts, StartDepthsStayWhereMemoryIsOut)
+{
+  std::vector<float> coordinates = MakeUniformPoints<3, float>(2000, 151, 0.0, 1e-9);
+  coordinates.insert(coordinates.end(), 3, 1.0F);
+  const PointSpan<3, float> points{ coordinates.data(), 2001 };
+  PointTree<3, float> tree(
+    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  ASSERT_NE(tree.FindNested(0), nullptr);
+  const int before = tree.GetStartDepths().GetOfTree();
+  std::size_t failures = 0;
+  for (;; ++failures)
+  {
+    AllocationsLeft = failures;
+    try
+    {
+      tree.SetStartDepths({ StartDepthModel::Root, FrequencyModel::Leaves, 0 });
+      AllocationsLeft = ~std::size_t(0);
+      break;
+    }
+    catch (const std::bad_alloc&)
+    {
+      AllocationsLeft = ~std::size_t(0);
+      ASSERT_EQ(tree.GetStartDepths().GetOfTree(), before) << failures;
+    }
+  }
+  EXPECT_GT(failures, 1U);
+  EXPECT_EQ(tree.GetStartDepths().GetOfTree(), 0);
 }
 
 TEST(TestPointTreeFacts, LeavesMayHoldAnyNumberOfPoints)

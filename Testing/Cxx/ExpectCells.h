@@ -44,7 +44,7 @@ inline void ExpectCellArrays(TestedFilter& filter, const OracleOctree& expected)
   vtkDataArray* depth = get("Depth", VTK_INT);
   vtkDataArray* hitCost = get("HitCost", VTK_INT);
   vtkDataArray* rootCost = get("RootCost", VTK_INT);
-  vtkDataArray* pointCount = get("PointCount", VTK_ID_TYPE);
+  vtkDataArray* pointCount = get("PointCount", VTK_TYPE_INT64);
   vtkDataArray* key = get("MortonKey", VTK_TYPE_UINT64);
   ASSERT_TRUE(depth && hitCost && rootCost && pointCount && key);
 

@@ -211,6 +211,9 @@ TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
     ASSERT_TRUE(empty && third);
     EXPECT_EQ(empty->GetBlock(0), nullptr);
     ASSERT_EQ(third->GetNumberOfBlocks(), 2U);
+    EXPECT_STREQ(third->GetMetaData(1U)->Get(vtkCompositeDataSet::NAME()), "third")
+      << "charts tell tables by their names";
+    EXPECT_FALSE(empty->GetMetaData(0U)->Has(vtkCompositeDataSet::NAME()));
     ExpectSame(third->GetBlock(1), outputs[port]);
   }
 }

@@ -195,6 +195,19 @@ TEST(TestHashedOctreeFilterHyperTree, InternalNodesAreAlwaysInIt)
   EXPECT_EQ(GetNumberOfNodes(UpdateGrid(filter)), nodes);
 }
 
+TEST(TestHashedOctreeFilterHyperTree, CanBeReadAgainWithoutNodes)
+{
+  // Where a file tells no branch factor, VTK's reader ends the program.
+  TestedFilter filter(std::vector<double>{});
+  EXPECT_EQ(UpdateGrid(filter)->GetBranchFactor(), 2U);
+  filter->UseCustomBoundsOn();
+  filter->SetCustomBounds(1, 0, 0, 1, 0, 1);
+  filter->Update();
+  EXPECT_EQ(filter.Errors.size(), 1U);
+  filter.Errors.clear();
+  EXPECT_EQ(GetGrid(filter)->GetBranchFactor(), 2U);
+}
+
 TEST(TestHashedOctreeFilterHyperTree, IsTakenByTheFiltersOfVtk)
 {
   TestedFilter filter(MakeSpherePoints<3, double>(500, 2));

@@ -473,7 +473,7 @@ TEST(TestHashedOctreeNeighborsFilter, OutputHasTheArraysThatItPromises)
   TestedNeighborsFilter filter({ 0, 0, 0, 1, 1, 1, 1, 1, 0.2 });
   filter.Update();
   const std::pair<const char*, int> expected[] = { { "Depth", VTK_INT }, { "HitCost", VTK_INT },
-    { "RootCost", VTK_INT }, { "PointCount", VTK_ID_TYPE }, { "MortonKey", VTK_TYPE_UINT64 },
+    { "RootCost", VTK_INT }, { "PointCount", VTK_TYPE_INT64 }, { "MortonKey", VTK_TYPE_UINT64 },
     { "Role", VTK_INT }, { "Case", VTK_INT } };
   vtkCellData* cellData = filter.GetCells()->GetCellData();
   ASSERT_EQ(cellData->GetNumberOfArrays(), 7);

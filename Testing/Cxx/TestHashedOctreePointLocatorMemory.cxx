@@ -83,6 +83,7 @@ TEST_F(TestHashedOctreePointLocatorMemory, ABuildThatFailsAnywhereFindsNothing)
     vtkNew<vtkIdTypeArray> ids;
     vtkNew<vtkDoubleArray> dist2;
     ASSERT_FALSE(locator->FindClosestPoints(queries, ids, dist2));
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectError("not enough memory for the index"));
   }
   EXPECT_GT(failures, 10U);
   EXPECT_GE(locator->FindClosestPoint(x), 0);

@@ -82,3 +82,6 @@ deep = simple.Threshold(Input=octree, Scalars=["CELLS", "Depth"], LowerThreshold
                         UpperThreshold=21)
 deep.UpdatePipeline()
 assert deep.GetDataInformation().GetNumberOfCells() == histogram["Leaves"][7:].sum() > 0
+of_points = simple.CellDatatoPointData(Input=octree)
+of_points.UpdatePipeline()
+assert set(CELL_ARRAYS) <= set(of_points.PointData.keys()), of_points.PointData.keys()
