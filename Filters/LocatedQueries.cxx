@@ -17,7 +17,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t ChunkSize = 1024; // Queries that a thread does at a time.
+constexpr std::size_t QueriesAtATime = 1024; // That a thread does.
 
 /** `sums` and `costs` have a number for each search. */
 template <typename Costs>
@@ -141,7 +141,7 @@ auto LocatedQueries<Dim>::Search(
     return this->SearchWithOthers(search, output, execution);
   }
   const QueryArrays<Dim> arrays(output);
-  const auto chunks = execution.MapChunks(this->Own.size(), ChunkSize,
+  const auto chunks = execution.MapChunks(this->Own.size(), QueriesAtATime,
     [&](std::size_t first, std::size_t last)
     {
       Costs costs{};
@@ -186,7 +186,7 @@ auto LocatedQueries<Dim>::SearchWithOthers(
   {
     count *= words;
   }
-  execution.ForEach(taken.size(), ChunkSize,
+  execution.ForEach(taken.size(), QueriesAtATime,
     [&](std::size_t i)
     { SentQuery<Dim>::Write(search.Find(taken[i]), &answers.Values[words * i]); });
   answers = this->Tree.Processes.Exchange(answers);

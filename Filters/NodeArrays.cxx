@@ -11,11 +11,6 @@
 
 namespace hashedoctree
 {
-namespace
-{
-constexpr std::size_t Grain = 512; // Nodes that a thread describes at a time.
-}
-
 template <int Dim>
 void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   const Buffer<typename Octree<Dim>::Node>& nodes, vtkCellData* cellData,
@@ -27,7 +22,8 @@ void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   const auto rootCosts = MakeArray<vtkIntArray>("RootCost", size);
   const auto pointCounts = MakeArray<vtkTypeInt64Array>("PointCount", size);
   const auto keys = MakeArray<vtkTypeUInt64Array>("MortonKey", size);
-  execution.ForEach(size, Grain,
+  constexpr std::size_t grain = 512; // Nodes that a thread describes at a time.
+  execution.ForEach(size, grain,
     [&](std::size_t i)
     {
       const typename Octree<Dim>::Node& node = nodes[i];

@@ -14,7 +14,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t Grain = 512; // Nodes that a thread does at a time.
+constexpr std::size_t NodesAtATime = 512; // That a thread does.
 
 /** Where VTK has an octant among its siblings: with the bits of the axes turned around. */
 template <int Dim>
@@ -42,7 +42,7 @@ Buffer<typename Octree<Dim>::Node> ListVertices(const Octree<Dim>& tree, const E
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
   Buffer<typename Octree<Dim>::Node> nodes(tree.GetNumberOfNodes());
   nodes[0] = tree.GetRoot();
-  execution.ForEach(numberOfBlocks, Grain,
+  execution.ForEach(numberOfBlocks, NodesAtATime,
     [&](std::size_t block)
     {
       for (unsigned octant = 0; octant < Octree<Dim>::NumberOfOctants; ++octant)
@@ -96,7 +96,7 @@ void Subdivide(const Octree<Dim>& tree, vtkHyperTree* hyperTree, const Execution
   {
     hyperTree->SubdivideLeaf(0, 0);
   }
-  execution.OnOneThread().ForEach(numberOfBlocks, Grain,
+  execution.OnOneThread().ForEach(numberOfBlocks, NodesAtATime,
     [&](std::size_t block)
     {
       const int depth = tree.GetBlockKey(block).GetDepth() + 1;
@@ -116,7 +116,7 @@ void MaskVertices(
 {
   vtkNew<vtkBitArray> mask;
   mask->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  execution.OnOneThread().ForEach(count, Grain,
+  execution.OnOneThread().ForEach(count, NodesAtATime,
     [&](std::size_t i) { mask->SetValue(static_cast<vtkIdType>(i), isMasked(i) ? 1 : 0); });
   output->SetMask(mask);
 }

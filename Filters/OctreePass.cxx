@@ -37,7 +37,7 @@ constexpr double SelectionShare = 0.05;
 constexpr double KeysShare = 0.2;
 /** And of making them: where each point has one. */
 constexpr double KeyedShare = 0.4;
-constexpr std::size_t Grain = 4096; ///< Points between looks whether to go on.
+constexpr std::size_t PointsAtATime = 4096; ///< Between looks whether to go on.
 
 /** The points that a process has for a tree, but for those that VTK marks as another piece's. */
 template <typename Real>
@@ -60,7 +60,7 @@ std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim
   keys.reserve(keyed.GetSize());
   execution.Part(KeyedShare, KeyedShare)
     .OnOneThread()
-    .ForEach(keyed.GetSize(), Grain,
+    .ForEach(keyed.GetSize(), PointsAtATime,
       [&](std::size_t i)
       {
         if (!own.Others.Have(static_cast<vtkIdType>(keyed[i].GetId())))

@@ -11,7 +11,7 @@ namespace hashedoctree
 {
 namespace
 {
-constexpr std::size_t ChunkSize = 4096; // Positions that a thread does at a time.
+constexpr std::size_t QueriesAtATime = 4096; // That a thread does.
 }
 
 template <int Dim, typename Points>
@@ -19,7 +19,7 @@ std::vector<MortonKey<Dim>> GetQueryKeys(
   const Grid<Dim>& grid, Points queries, const Execution& execution)
 {
   std::vector<MortonKey<Dim>> keys(queries.Count);
-  execution.ForChunks(queries.Count, ChunkSize,
+  execution.ForChunks(queries.Count, QueriesAtATime,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
       for (std::size_t begin = first; begin < last; begin += MostKeysAtOnce)
@@ -41,7 +41,7 @@ DepthHistogram MeasureQueryDepths(
 {
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
   const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
-  const auto chunks = execution.MapChunks(keys.size(), ChunkSize,
+  const auto chunks = execution.MapChunks(keys.size(), QueriesAtATime,
     [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};

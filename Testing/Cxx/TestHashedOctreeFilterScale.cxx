@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "PointIndex.h"
 #include "PointSamples.h"
 #include "Sanitized.h"
 #include "TestedFilter.h"
