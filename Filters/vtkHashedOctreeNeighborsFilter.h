@@ -13,7 +13,8 @@
  * - Adjacent: the leaves that touch its cell by a face, an edge or a corner;
  * - InRadius: the other leaves whose closed cells meet the closed ball of Radius around the center
  *   of the QUERY LEAF, not around Center. A ball that does not reach the border of the query leaf
- *   meets none; half the leaf's side is the least radius that does.
+ *   meets none; half the leaf's side is the least radius that does. Lengths are compared in double:
+ *   a cell that the ball only touches is met or not by the last digit of Radius.
  * In the quadtree of points in a plane (see vtkHashedOctreeAlgorithm) cells are squares, the ball
  * is a disk, and Center is projected to the plane.
  *

@@ -37,9 +37,10 @@ namespace hashedoctree
  * expects (row 25 of README). NodeStartDepths.h has the one that examines the fewest, for each
  * node.
  *
- * Counted are the neighbours of the node's depth that are seen in their parents, one for each
- * parent that turns out to have no children, the children that case 2 looks at, and the nodes that
- * the direct searches of case 3 examine. Allocates only where `found` grows. Thread safe.
+ * Counted are the neighbours of the node's depth that are seen in their parents, the children that
+ * case 2 looks at, and for each leaf above, or empty cell in its place, one node and those that the
+ * direct search of case 3 for it examines, however many of the parents it holds. Allocates only
+ * where `found` grows. Thread safe.
  *
  * Instantiated for NoCount and RangeCount.
  */

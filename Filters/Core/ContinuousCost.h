@@ -17,7 +17,7 @@ namespace hashedoctree
  *
  * A depth's weight is centred at l + 1/2. So the cost at h + 1/2 belongs to the start depth h, and
  * exceeds the discrete cost there by 3/16 of the share of depth h, exactly: it does not interpolate
- * (E8).
+ * (E8). All this holds for sums of weights below 2^53, which are exact.
  */
 class ContinuousCost
 {

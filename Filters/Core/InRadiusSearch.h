@@ -18,10 +18,11 @@ namespace hashedoctree
  * has no neighbours. `radius` is in world units: negative or NaN finds nothing, infinite all other
  * leaves. It may be larger than the node (E14): instead of all cells of the node's size in the
  * ball, of which there can be millions, the search looks at the at most 2^Dim cells that cover the
- * ball, of the deepest depth whose cells are as wide. It reaches each directly through the table,
- * or finds the leaf above by a direct search from min(startDepth, depth of these cells), and goes
- * down through the octants of the children that meet the ball, which stand side by side; some nodes
- * of one depth together, so that the machine loads what they tell at once.
+ * ball, of the deepest depth whose cells are as wide (NodeBall::GetCover()). It reaches each
+ * directly through the table, or finds the leaf above by a direct search from min(startDepth, depth
+ * of these cells), and goes down through the octants of the children that meet the ball, which
+ * stand side by side; some nodes of one depth together, so that the machine loads what they tell at
+ * once.
  *
  * `found` is replaced by the leaves, each once, in an order that depends on the tree, the node and
  * the radius alone: for one covering cell after the other the leaf above it or its children that
@@ -30,9 +31,10 @@ namespace hashedoctree
  * never found in their place (E4, E5).
  *
  * `startDepth`, any depth in [0, MortonKey::MaxDepth], changes the cost, never the answer. Counted
- * are the children looked at on the way down, one for each covering cell that has none, and the
- * nodes that the direct searches examine. O(nodes that meet the ball, and their children), plus
- * O(MaxDepth). Allocates only where `found` grows. Thread safe.
+ * are the children looked at on the way down, and for each leaf above, or empty cell in its place,
+ * one node and those that the direct search for it examines, however many of the covering cells it
+ * holds. O(nodes that meet the ball, and their children), plus O(MaxDepth). Allocates only where
+ * `found` grows. Thread safe.
  *
  * Instantiated for NoCount, for AVX2, too (which one runs is found at run time), and for
  * RangeCount, only as it runs on every machine.

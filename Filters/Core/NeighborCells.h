@@ -63,8 +63,9 @@ struct NeighborCells
  * paper Algorithm 2, with the depth of E5) and given to onLeaf(leaf), each once however many of the
  * cells it holds, and empty cells of a sparse tree not at all.
  *
- * Counts one node for each cell that turns out to have no children, and those that the direct
- * searches examine; onBlock counts what it looks at. Allocates nothing. Thread safe.
+ * Counts for each of these leaves, and of the empty cells in their place, one node and those that
+ * the direct search for it examines; onBlock counts what it looks at. Allocates nothing. Thread
+ * safe.
  */
 template <int Dim, typename Count, typename OnBlock, typename OnLeaf>
 HASHEDOCTREE_INLINE void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells,

@@ -156,8 +156,9 @@ public:
     return static_cast<double>(std::int64_t(2) << (Key::MaxDepth - depth));
   }
 
-  /** Cells, 2^Dim at most, that hold all of the ball that is in the root: of the deepest depth
-   * whose cells are as wide. Above the node where the ball reaches its border. */
+  /** Cells, 2^Dim at most, that hold all of the ball (up to the next whole length) that is in the
+   * root: of the deepest depth whose cells are as wide. Above the node where the ball reaches its
+   * border. */
   NeighborCells<Dim> GetCover() const
   {
     constexpr std::int64_t size = std::int64_t(2) << Key::MaxDepth;
