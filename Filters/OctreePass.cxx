@@ -6,7 +6,6 @@
 #include "BlockStructure.h"
 #include "DistinctKeys.h"
 #include "DistributedOctree.h"
-#include "DuplicatePoints.h"
 #include "KeyedPoints.h"
 #include "OctreeHyperTree.h"
 #include "PassFieldData.h"
@@ -45,8 +44,9 @@ struct OwnPoints
 {
   PointSpan<3, Real> Points;
   const PointSelection<3>& Selection;
-  DuplicatePoints Others; ///< That are another piece's.
-  bool Merge;             ///< Whether those in one cell at the deepest depth count as one.
+  const DuplicatePoints& Others; ///< That are another piece's.
+  const PointCounts& Counts;
+  bool Merge; ///< Whether those in one cell at the deepest depth count as one.
 };
 
 /** The keys of a process's points in the root of all of them; merged, if they are to be. */
@@ -110,8 +110,8 @@ PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Di
         execution.Part(KeysShare, 1.0))
     : BuildAlone(frame, grid, own, options, execution);
   octree.Frame = frame;
-  octree.SkippedPoints = processes.Sum(own.Selection.GetNumberOfSkippedPoints());
-  octree.OutsidePoints = processes.Sum(own.Selection.GetNumberOfOutsidePoints());
+  octree.SkippedPoints = processes.Sum(own.Counts.Skipped);
+  octree.OutsidePoints = processes.Sum(own.Counts.Outside);
   return octree;
 }
 
@@ -166,8 +166,7 @@ void OctreePass::ExecuteAny(
       HandOver(outputs[i], targets[i]);
     }
   }
-  this->AllPoints = this->Processes.Sum(this->AllPoints);
-  this->SkippedPoints = this->Processes.Sum(this->SkippedPoints);
+  this->Met = this->Met.SumOf(this->Processes);
   this->TellOfUnusedPoints();
 }
 
@@ -234,8 +233,10 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
     {
       const PointSelection<3> selection(
         span, this->Root, execution.Part(AdaptorShare, SelectionShare));
-      this->AllPoints += span.Count;
-      this->SkippedPoints += selection.GetNumberOfSkippedPoints();
+      const DuplicatePoints others(input);
+      const PointCounts counts(
+        span, selection, others, execution.Part(SelectionShare, SelectionShare));
+      this->Met.Add(counts);
       const std::optional<Box<3>> root = this->FindRoot(selection);
       if (!root)
       {
@@ -246,7 +247,7 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
         auto octree = BuildInFrame(this->Processes, frame, *root,
           OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{
-            span, selection, DuplicatePoints(input), this->Algorithm->GetMergePoints() },
+            span, selection, others, counts, this->Algorithm->GetMergePoints() },
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
         if (octree.GetNumberOfPoints() > 0) // Not all are other pieces'.
         {
@@ -266,11 +267,9 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
   return built;
 }
 
-std::optional<Box<3>> OctreePass::FindRoot(const PointSelection<3>& selection)
+std::optional<Box<3>> OctreePass::FindRoot(const PointSelection<3>& selection) const
 {
-  const std::uint64_t used = this->Processes.Sum(selection.GetNumberOfPoints());
-  this->UsedPoints += used;
-  if (used == 0)
+  if (this->Processes.Sum(selection.GetNumberOfPoints()) == 0)
   {
     return {};
   }
@@ -292,7 +291,8 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
 
 void OctreePass::TellOfUnusedPoints() const
 {
-  if (this->ImplicitBlocks > 0 && this->AllPoints == 0 && this->Processes.HaveAll())
+  const std::uint64_t all = this->Met.Own + this->Met.Others;
+  if (this->ImplicitBlocks > 0 && all == 0 && this->Processes.HaveAll())
   {
     throw std::invalid_argument("The points of the input have no coordinates of their own, as "
                                 "those of images; vtkConvertToPointCloud gives them some.");
@@ -301,10 +301,9 @@ void OctreePass::TellOfUnusedPoints() const
   {
     return; // All would warn of the same.
   }
-  if (this->SkippedPoints > 0)
+  if (this->Met.Skipped > 0)
   {
-    WarnOfSkippedPoints(
-      this->Algorithm, this->SkippedPoints, static_cast<vtkIdType>(this->AllPoints));
+    WarnOfSkippedPoints(this->Algorithm, this->Met.Skipped, static_cast<vtkIdType>(this->Met.Own));
   }
   if (this->ImplicitBlocks > 0)
   {

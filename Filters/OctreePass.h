@@ -2,6 +2,7 @@
 #ifndef OctreePass_h
 #define OctreePass_h
 
+#include "PointCounts.h"
 #include "PointsOctree.h"
 #include "ProcessGroup.h"
 
@@ -64,7 +65,7 @@ public:
   /** Whether they met finite points, but none in the root that was given. */
   bool AreAllOutside() const
   {
-    return this->UsedPoints == 0 && this->SkippedPoints < this->AllPoints;
+    return this->Met.Outside > 0 && this->Met.Skipped + this->Met.Outside == this->Met.Own;
   }
 
   static Targets GetPorts(vtkInformationVector* outputVector);
@@ -81,16 +82,14 @@ private:
   std::optional<AnyPointsOctree> Build(vtkPointSet* input, const Execution& execution);
   /** The given root, or the box around the selected points of all processes; nothing if there are
    * none. */
-  std::optional<Box<3>> FindRoot(const PointSelection<3>& selection);
+  std::optional<Box<3>> FindRoot(const PointSelection<3>& selection) const;
   /** Of what all processes have met together. Throws std::invalid_argument. */
   void TellOfUnusedPoints() const;
 
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;
   std::optional<Box<3>> Root;
-  std::uint64_t AllPoints = 0;      ///< Of this process, and in the end of all processes;
-  std::uint64_t SkippedPoints = 0;  ///< the same.
-  std::uint64_t UsedPoints = 0;     ///< Of all processes.
+  PointCounts Met;                  ///< By this process, and in the end by all processes.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
 };
 }

@@ -15,8 +15,8 @@ namespace hashedoctree
 inline void WarnOfSkippedPoints(vtkObject* object, std::size_t skipped, vtkIdType all)
 {
   vtkWarningWithObjectMacro(object, << skipped << " of " << all
-                                    << " points have a coordinate that is not finite or too large; "
-                                       "they are left out.");
+                                    << " points left out, for a coordinate that is not finite or "
+                                       "too large.");
 }
 }
 

@@ -122,7 +122,7 @@ public:
     {
       vtkWarningWithObjectMacro(
         this->Self, << allOfAll - finiteOfAll << " of " << allOfAll
-                    << " query points have a coordinate that is not finite; they are not located.");
+                    << " query points not located, for a coordinate that is not finite.");
     }
   }
 

@@ -83,6 +83,18 @@ public:
   /** How many points are kept before those of this chunk. */
   std::size_t GetFirstOfChunk(std::size_t chunk) const { return this->FirstOfChunk[chunk]; }
 
+  /** Whether a point, the value of a span, is none of those that are skipped. Pure. */
+  template <typename Coordinates>
+  static bool CanBePlaced(const Coordinates& x)
+  {
+    bool canBe = true;
+    for (int axis = 0; axis < Dim; ++axis)
+    {
+      // False for NaN, too.
+      canBe &= std::abs(static_cast<double>(x[axis])) <= Grid<Dim>::MaxCoordinate;
+    }
+    return canBe;
+  }
   /** Whether all points take part. */
   bool KeepsAll() const { return this->Skipped == 0 && this->Outside == 0; }
   /** Whether a point, the value of a span, takes part. Pure. */
@@ -100,17 +112,6 @@ private:
   template <typename Points>
   Census Count(Points points, std::size_t first, std::size_t last) const;
 
-  template <typename Coordinates>
-  static bool CanBePlaced(const Coordinates& x)
-  {
-    bool canBe = true;
-    for (int axis = 0; axis < Dim; ++axis)
-    {
-      // False for NaN, too.
-      canBe &= std::abs(static_cast<double>(x[axis])) <= Grid<Dim>::MaxCoordinate;
-    }
-    return canBe;
-  }
   template <typename Coordinates>
   bool IsInBox(const Coordinates& x) const
   {

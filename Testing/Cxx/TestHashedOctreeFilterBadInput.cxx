@@ -181,6 +181,35 @@ TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreLeftOut)
   }
 }
 
+TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreCountedThere)
+{
+  // Of two points each that are in the bounds, outside, and not finite, one is another piece's.
+  const auto input =
+    MakePolyData({ 0, 0, 0, 1, 1, 1, 5, 0, 0, 6, 0, 0, NotANumber, 0, 0, 0, Infinity, 0 });
+  vtkUnsignedCharArray* ghosts = input->AllocatePointGhostArray();
+  for (const int point : { 1, 3, 5 })
+  {
+    ghosts->SetValue(point, vtkDataSetAttributes::DUPLICATEPOINT);
+  }
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter->UseCustomBoundsOn();
+  filter->SetCustomBounds(0, 2, 0, 2, 0, 2);
+  filter.UpdateWithoutErrors();
+  filter.ExpectWarning("1 of 3 points");
+  EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 1);
+  EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 1);
+  EXPECT_EQ(filter.GetFieldValue("SkippedPoints"), 1);
+  ghosts->SetValue(
+    0, vtkDataSetAttributes::DUPLICATEPOINT); // Only the other piece has some inside.
+  ghosts->SetValue(4, vtkDataSetAttributes::DUPLICATEPOINT);
+  ghosts->Modified();
+  input->Modified();
+  filter.UpdateWithoutErrors();
+  filter.ExpectWarning("CustomBounds");
+  filter.ExpectEmptyOutputs();
+}
+
 TEST(TestHashedOctreeFilterBadInput, CustomBoundsThatCannotBeAreAnError)
 {
   const std::array<double, 6> boxes[] = { { 1, 0, 0, 1, 0, 1 }, { 0, 1, 1, 0, 0, 1 },
