@@ -200,8 +200,8 @@ TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreCountedThere)
   EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 1);
   EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 1);
   EXPECT_EQ(filter.GetFieldValue("SkippedPoints"), 1);
-  ghosts->SetValue(
-    0, vtkDataSetAttributes::DUPLICATEPOINT); // Only the other piece has some inside.
+  // Now the other piece alone has some in the bounds.
+  ghosts->SetValue(0, vtkDataSetAttributes::DUPLICATEPOINT);
   ghosts->SetValue(4, vtkDataSetAttributes::DUPLICATEPOINT);
   ghosts->Modified();
   input->Modified();
