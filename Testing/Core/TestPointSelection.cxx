@@ -2,6 +2,7 @@
 #include "PointSelection.h"
 
 #include "Dimensions.h"
+#include "PointIndex.h"
 #include "PointSamples.h"
 #include "Threads.h"
 
