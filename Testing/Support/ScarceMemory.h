@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <new>
 
-/** How many more times `new` of this program has memory; none is left at 0. To be included by one
- * file of a program, on one thread. */
-inline std::size_t AllocationsLeft = ~std::size_t(0);
+/** How many more times `new` of this thread has memory; none is left at 0. To be included by one
+ * file of a program. */
+inline thread_local std::size_t AllocationsLeft = ~std::size_t(0);
 
 // Replacing these is what the standard provides for; all other forms end here. Not inline, or GCC
 // takes new and free() for a mismatch.
