@@ -110,8 +110,9 @@ PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Di
         execution.Part(KeysShare, 1.0))
     : BuildAlone(frame, grid, own, options, execution);
   octree.Frame = frame;
-  octree.SkippedPoints = processes.Sum(own.Counts.Skipped);
-  octree.OutsidePoints = processes.Sum(own.Counts.Outside);
+  const PointCounts counts = own.Counts.SumOf(processes);
+  octree.SkippedPoints = counts.Skipped;
+  octree.OutsidePoints = counts.Outside;
   return octree;
 }
 

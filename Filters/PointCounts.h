@@ -7,6 +7,7 @@
 #include "ProcessGroup.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace hashedoctree
 {
@@ -54,12 +55,14 @@ struct PointCounts
   /** Those of all processes, all of which have to call it. */
   PointCounts SumOf(const ProcessGroup& processes) const
   {
-    PointCounts sum;
-    sum.Own = processes.Sum(this->Own);
-    sum.Skipped = processes.Sum(this->Skipped);
-    sum.Outside = processes.Sum(this->Outside);
-    sum.Others = processes.Sum(this->Others);
-    return sum;
+    std::vector<std::uint64_t> sums{ this->Own, this->Skipped, this->Outside, this->Others };
+    processes.Sum(sums);
+    PointCounts ofAll;
+    ofAll.Own = sums[0];
+    ofAll.Skipped = sums[1];
+    ofAll.Outside = sums[2];
+    ofAll.Others = sums[3];
+    return ofAll;
   }
 };
 }

@@ -59,7 +59,7 @@
  * to vtkPointSet::SetPointLocator() has to call SetDataSet() as well.) The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
  * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
- * memory, is an error (a kilobyte is needed to tell of it). Until the next build, as after
+ * memory, is an error (to tell of it takes a little, too). Until the next build, as after
  * Modified(), queries then find nothing, and batches are the same error again. A query that has not
  * enough memory for what it finds is an error, too, and finds nothing; so is one without a list to
  * put its ids into.

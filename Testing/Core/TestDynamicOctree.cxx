@@ -362,25 +362,9 @@ TYPED_TEST(TestDynamicOctree, ChangesDoNotBeginWhereMemoryIsOut)
   middle.fill(0.5);
   changing.Points[0] = corner;
   changing.Tree.Insert(0, corner);
-  /** Tries with more memory each time; a change that was refused must have left no trace. */
+  /** A change that was refused must have left no trace. */
   const auto tryUntilDone = [&changing](const auto& change)
-  {
-    for (std::size_t allocations = 0;; ++allocations)
-    {
-      AllocationsLeft = allocations;
-      try
-      {
-        change();
-        AllocationsLeft = ~std::size_t(0);
-        return allocations;
-      }
-      catch (const std::bad_alloc&)
-      {
-        AllocationsLeft = ~std::size_t(0);
-        changing.ExpectAsRebuilt();
-      }
-    }
-  };
+  { return TryUntilDone(change, [&changing] { changing.ExpectAsRebuilt(); }); };
   EXPECT_GT(tryUntilDone([&] { changing.Tree.Insert(1, corner); }), 1U);
   changing.Points[1] = corner;
   changing.ExpectAsRebuilt();

@@ -262,13 +262,18 @@ TEST(TestPointTreeFacts, NestedTreesEndWhereDifferencesAreFlushedToZero)
 }
 #endif
 
-TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
+/** Of many points near each other, whose leaf has a tree, and one far away. */
+PointTree<3, float> MakeTreeWithNested()
 {
   std::vector<float> coordinates = MakeUniformPoints<3, float>(2000, 147, 0.0, 1e-9);
   coordinates.insert(coordinates.end(), 3, 1.0F);
   const PointSpan<3, float> points{ coordinates.data(), 2001 };
-  PointTree<3, float> tree(
-    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  return { points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution() };
+}
+
+TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
+{
+  PointTree<3, float> tree = MakeTreeWithNested();
   const StartDepths<3>& starts = tree.FindNested(0)->GetStartDepths();
   EXPECT_GT(starts.GetOfTree(), 1);
   EXPECT_LT(starts.GetOfTree(), tree.GetStartDepths().GetOfTree());
@@ -285,29 +290,14 @@ TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
 
 TEST(TestPointTreeFacts, StartDepthsStayWhereMemoryIsOut)
 {
-  std::vector<float> coordinates = MakeUniformPoints<3, float>(2000, 151, 0.0, 1e-9);
-  coordinates.insert(coordinates.end(), 3, 1.0F);
-  const PointSpan<3, float> points{ coordinates.data(), 2001 };
-  PointTree<3, float> tree(
-    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  PointTree<3, float> tree = MakeTreeWithNested();
   ASSERT_NE(tree.FindNested(0), nullptr);
   const int before = tree.GetStartDepths().GetOfTree();
-  std::size_t failures = 0;
-  for (;; ++failures)
-  {
-    AllocationsLeft = failures;
-    try
-    {
+  const std::size_t failures = TryUntilDone(
+    [&tree] {
       tree.SetStartDepths({ StartDepthModel::Root, FrequencyModel::Leaves, 0 });
-      AllocationsLeft = ~std::size_t(0);
-      break;
-    }
-    catch (const std::bad_alloc&)
-    {
-      AllocationsLeft = ~std::size_t(0);
-      ASSERT_EQ(tree.GetStartDepths().GetOfTree(), before) << failures;
-    }
-  }
+    },
+    [&tree, before] { EXPECT_EQ(tree.GetStartDepths().GetOfTree(), before); });
   EXPECT_GT(failures, 1U);
   EXPECT_EQ(tree.GetStartDepths().GetOfTree(), 0);
 }

@@ -195,7 +195,7 @@ TEST(TestHashedOctreeFilterHyperTree, InternalNodesAreAlwaysInIt)
   EXPECT_EQ(GetNumberOfNodes(UpdateGrid(filter)), nodes);
 }
 
-TEST(TestHashedOctreeFilterHyperTree, CanBeReadAgainWithoutNodes)
+TEST(TestHashedOctreeFilterHyperTree, HasABranchFactorWithoutNodes)
 {
   // Where a file tells no branch factor, VTK's reader ends the program.
   TestedFilter filter(std::vector<double>{});

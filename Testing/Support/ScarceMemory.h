@@ -34,4 +34,26 @@ inline thread_local std::size_t AllocationsLeft = ~std::size_t(0);
   std::free(memory);
 }
 
+/** Calls change() with memory for one allocation more each time, until it has enough, and after
+ * each failure afterFailure(), with all memory. Returns the number of failures. */
+template <typename Change, typename AfterFailure>
+std::size_t TryUntilDone(const Change& change, const AfterFailure& afterFailure)
+{
+  for (std::size_t allocations = 0;; ++allocations)
+  {
+    AllocationsLeft = allocations;
+    try
+    {
+      change();
+      AllocationsLeft = ~std::size_t(0);
+      return allocations;
+    }
+    catch (const std::bad_alloc&)
+    {
+      AllocationsLeft = ~std::size_t(0);
+      afterFailure();
+    }
+  }
+}
+
 #endif
