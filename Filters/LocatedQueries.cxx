@@ -88,8 +88,12 @@ LocatedQueries<Dim>::LocatedQueries(
       this->Own =
         GetQueryKeys(octree.Tree.GetGrid(), Project(span, octree.Frame), execution.Part(0.5, 1.0));
     });
-  this->Finite = this->Own.size() -
-    static_cast<std::size_t>(std::count(this->Own.begin(), this->Own.end(), MortonKey<Dim>(0)));
+  for (std::size_t i = 0; i < this->Own.size(); ++i)
+  {
+    const bool counts = !this->Others.Have(static_cast<vtkIdType>(i));
+    this->Counted += counts ? 1 : 0;
+    this->Skipped += counts && this->Own[i] == MortonKey<Dim>(0) ? 1 : 0;
+  }
   if (octree.Processes.AreSeveral())
   {
     this->Taken = octree.Processes.Exchange(octree.Division.Deal(TakeFinite(this->Own)));

@@ -31,8 +31,10 @@ public:
    * arguments must outlive this. Throws Interrupted. */
   LocatedQueries(vtkDataSet* queries, const PointsOctree<Dim>& octree, const Execution& execution);
 
-  /** Those of this process that have finite coordinates. */
-  std::size_t GetNumberOfFinite() const { return this->Finite; }
+  /** Those of this process that count. */
+  std::size_t GetNumberOfCounted() const { return this->Counted; }
+  /** Of those that count, the ones that are not searched for, since they are not finite. */
+  std::size_t GetNumberOfSkipped() const { return this->Skipped; }
 
   /** How many queries that count, of all processes, lie in leaves of each depth, from 0 to the
    * tree's deepest. As MeasureQueryDepths(). */
@@ -56,7 +58,8 @@ private:
 
   const PointsOctree<Dim>& Tree;
   DuplicatePoints Others; ///< Another piece's.
-  std::size_t Finite = 0;
+  std::size_t Counted = 0;
+  std::size_t Skipped = 0;
   /** The key of each query of this process, 0 where it is not finite. */
   Keys Own;
   /** Those that are searched for here, by the process that has the queries; not of one alone. */

@@ -106,22 +106,16 @@ public:
   {
     const QueryBlocks blocks(points, queries, outputVector, processes);
     OctreePass pass(this->Self, processes);
-    std::size_t all = 0;
-    for (vtkDataSet* block : blocks.Get())
-    {
-      all += block != nullptr ? static_cast<std::size_t>(block->GetNumberOfPoints()) : 0;
-    }
-    this->FiniteQueries = all;
     pass.Execute(points, blocks.GetTargets(),
       [&](const auto& octree, const Execution& execution)
       { return this->LocateBlocks(octree, blocks.Get(), execution); });
     blocks.FillOutputs();
-    const std::size_t allOfAll = pass.GetProcesses().Sum(all);
-    const std::size_t finiteOfAll = pass.GetProcesses().Sum(this->FiniteQueries);
-    if (finiteOfAll < allOfAll && pass.GetProcesses().IsFirst())
+    const std::size_t counted = pass.GetProcesses().Sum(this->CountedQueries);
+    const std::size_t skipped = pass.GetProcesses().Sum(this->SkippedQueries);
+    if (skipped > 0 && pass.GetProcesses().IsFirst())
     {
       vtkWarningWithObjectMacro(
-        this->Self, << allOfAll - finiteOfAll << " of " << allOfAll
+        this->Self, << skipped << " of " << counted
                     << " query points not located, for a coordinate that is not finite.");
     }
   }
@@ -133,7 +127,8 @@ private:
     const std::vector<vtkDataSet*>& blocks, const Execution& execution)
   {
     OctreePass::Outputs outputs;
-    this->FiniteQueries = 0;
+    this->CountedQueries = 0;
+    this->SkippedQueries = 0;
     QuerySearch<Dim> search(octree, GetStartDepthOptions<Dim>(this->Self), GetReading(this->Self),
       execution.Part(OctreePass::BuildShare, OctreePass::BuildShare));
     const double share = (1.0 - OctreePass::BuildShare) / static_cast<double>(blocks.size());
@@ -155,7 +150,8 @@ private:
   {
     using Comparison = SearchComparison<Dim>;
     const LocatedQueries<Dim> located(queries, octree, execution.Part(0.0, QueriesShare));
-    this->FiniteQueries += located.GetNumberOfFinite();
+    this->CountedQueries += located.GetNumberOfCounted();
+    this->SkippedQueries += located.GetNumberOfSkipped();
     const DepthHistogram depths = located.MeasureDepths(execution.Part(QueriesShare, DepthsShare));
     Comparison& comparison = search.GetComparison();
     comparison.SetQueryDepths(depths);
@@ -222,7 +218,8 @@ private:
   }
 
   vtkHashedOctreeLocateFilter* Self;
-  std::size_t FiniteQueries = 0; ///< Of this process, as the last tree counted them.
+  std::size_t CountedQueries = 0; ///< Of this process, as the last tree counted them,
+  std::size_t SkippedQueries = 0; ///< and those of them that are not finite.
 };
 
 vtkHashedOctreeLocateFilter::vtkHashedOctreeLocateFilter()

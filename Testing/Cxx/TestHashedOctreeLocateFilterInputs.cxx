@@ -140,6 +140,20 @@ TEST(TestHashedOctreeLocateFilterInputs, QueriesOfAnotherPieceDoNotCount)
   EXPECT_EQ(filter.GetFieldValue("MeanHitCost"), ofAll.GetFieldValue("MeanHitCost"));
 }
 
+TEST(TestHashedOctreeLocateFilterInputs, WarnsOnlyOfQueriesThatCount)
+{
+  const auto queries =
+    MakePolyData({ NotANumber, 0, 0, 0.5, 0.5, 0.5, 0.1, 0.1, 0.1, 0, Infinity, 0 });
+  vtkUnsignedCharArray* ghosts = queries->AllocatePointGhostArray();
+  ghosts->SetValue(3, vtkDataSetAttributes::DUPLICATEPOINT);
+  TestedLocateFilter filter(MakeUniform(10, 344), queries);
+  filter.Update();
+  filter.ExpectWarning("1 of 3 query points");
+  ghosts->SetValue(0, vtkDataSetAttributes::DUPLICATEPOINT);
+  filter->Modified();
+  filter.UpdateSilently();
+}
+
 TEST(TestHashedOctreeLocateFilterInputs, BothInputsAreRequired)
 {
   for (const int missing : { 0, 1 })

@@ -221,9 +221,12 @@ for points, properties in [
 whole = run(make_points(cube), 1, queries=make_points(queries), **locating)
 mine = numpy.array_split(numpy.arange(len(queries)), PROCESSES)[rank]
 others = numpy.concatenate([mine, numpy.arange(50 * rank)])  # One process has none of them.
-piece = run(make_points(cube[rank::PROCESSES]), PROCESSES,
+warnings = []
+piece = run(make_points(cube[rank::PROCESSES]), PROCESSES, warnings,
             queries=mark(make_points(queries[others]), len(mine)), **locating)
 expect_same_search(piece, whole, others)
+assert len(warnings) == (1 if rank == 0 else 0), warnings
+assert all(f"1 of {len(queries)} query points" in warning for warning in warnings), warnings
 
 # Nothing in some processes, and another type in each.
 types = [numpy.float32, numpy.float64, numpy.float64, numpy.float32]
