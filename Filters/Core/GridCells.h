@@ -10,8 +10,9 @@ namespace hashedoctree
 {
 /**
  * The cells of `count` positions, whose coordinates stand one position after the other: those that
- * Grid::GetCell() gives, from the same divisions, several at a time. Compiled for the plain machine
- * and for AVX2; which one runs is found at run time. O(count). Instantiated for float and double.
+ * Grid::GetCell() gives, several at a time: by the same divisions or, with AVX2, by products that
+ * give the same quotients. Which one runs is found at run time. O(count). Instantiated for float
+ * and double.
  */
 template <int Dim, typename Real>
 void GetCells(const Grid<Dim>& grid, const Real* coordinates, std::size_t count, Cell<Dim>* cells);

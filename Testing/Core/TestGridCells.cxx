@@ -3,6 +3,7 @@
 
 #include "Dimensions.h"
 #include "PointSamples.h"
+#include "SmallNumbersAreZero.h"
 
 #include <cmath>
 #include <limits>
@@ -28,6 +29,29 @@ protected:
       }
       ExpectCells(grid, coordinates.data() + Dim, all - 1, get);
     }
+  }
+
+  /** Of a cube with a corner in the origin. */
+  static Grid<Dim> MakeGrid(double side)
+  {
+    Position<Dim> upper;
+    upper.fill(side);
+    return Grid<Dim>(Box<Dim>({}, upper));
+  }
+
+  /** Compares positions on the borders of cells, and as close to them as can be. */
+  static void ExpectBorders(const Grid<Dim>& grid)
+  {
+    constexpr double size = MortonKey<Dim>::CellsPerSide;
+    std::vector<double> coordinates;
+    for (const double share : MakeUniformPoints<1, double>(200 * Dim, 25))
+    {
+      const double border = std::floor(share * size) / size * grid.GetSide();
+      coordinates.push_back(std::nextafter(border, -1.0));
+      coordinates.push_back(border);
+      coordinates.push_back(std::nextafter(border, std::numeric_limits<double>::max()));
+    }
+    ExpectCellsOfTheGrid(grid, coordinates);
   }
 
 private:
@@ -63,6 +87,34 @@ TYPED_TEST(TestGridCells, AreThoseOfTheGrid)
   TestFixture::ExpectCellsOfTheGrid(grid, MakeUniformPoints<dim, float>(20001, 21, -5.0F, 6.0F));
   TestFixture::ExpectCellsOfTheGrid(grid, MakeUniformPoints<dim, double>(20001, 22, -5.0, 6.0));
 }
+
+TYPED_TEST(TestGridCells, BordersOfCellsAreWhereTheGridHasThem)
+{
+  std::vector<double> sides{ 1.0, 3.0, 0.1, std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0),
+    8000.0, std::nextafter(8000.0, 0.0), 0x1p-799, 0x1.8p-801, 1e-310, 0x1.fp+799, 0x1.1p+801,
+    8e307 };
+  for (const double mantissa : MakeUniformPoints<1, double>(20, 24, 1.0, 2.0))
+  {
+    sides.push_back(mantissa);
+    sides.push_back(std::nextafter(static_cast<double>(static_cast<float>(mantissa)), 2.0));
+  }
+  for (const double side : sides)
+  {
+    TestFixture::ExpectBorders(TestFixture::MakeGrid(side));
+  }
+}
+
+#if defined(__SSE2__)
+TYPED_TEST(TestGridCells, NumbersThatAreTakenForZeroChangeNoCell)
+{
+  for (const double side : { 1e-310, 1e-300, 1.0, 8e307 })
+  {
+    const auto grid = TestFixture::MakeGrid(side);
+    const SmallNumbersAreZero mode;
+    TestFixture::ExpectBorders(grid);
+  }
+}
+#endif
 
 TYPED_TEST(TestGridCells, CoordinatesThatAreNoPlaceGetCellsToo)
 {

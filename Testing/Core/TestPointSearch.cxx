@@ -5,14 +5,11 @@
 #include "Dimensions.h"
 #include "PointSamples.h"
 #include "Sanitized.h"
+#include "SmallNumbersAreZero.h"
 
 #include <algorithm>
 #include <iostream>
 #include <random>
-
-#if defined(__SSE2__)
-#include <xmmintrin.h>
-#endif
 
 using namespace hashedoctree;
 
@@ -476,25 +473,7 @@ TEST(TestPointSearchFacts, BoxesEndWhereTheySay)
   EXPECT_EQ(find(-3.0, std::nextafter(1.0, 0.0)), (std::vector<PointIndex>{ 0, 2, 3, 4, 5, 6 }));
 }
 
-#if defined(__SSE2__) // Elsewhere the mode is set in other ways.
-namespace
-{
-/** While it lives, the processor takes numbers below 2.3e-308 for zero, as fast math asks for. */
-class SmallNumbersAreZero
-{
-public:
-  SmallNumbersAreZero() { _mm_setcsr(this->Before | FlushToZero | DenormalsAreZero); }
-  ~SmallNumbersAreZero() { _mm_setcsr(this->Before); }
-  SmallNumbersAreZero(const SmallNumbersAreZero&) = delete;
-  SmallNumbersAreZero& operator=(const SmallNumbersAreZero&) = delete;
-
-private:
-  static constexpr unsigned FlushToZero = 0x8000;
-  static constexpr unsigned DenormalsAreZero = 0x40;
-  unsigned Before = _mm_getcsr();
-};
-}
-
+#if defined(__SSE2__)
 TEST(TestPointSearchFacts, NumbersThatAreTakenForZeroChangeNoAnswer)
 {
   const SmallNumbersAreZero mode;
