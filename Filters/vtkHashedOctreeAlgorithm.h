@@ -19,20 +19,20 @@
  *
  * Several processes that have the pieces of a data set make one tree together: those of Controller,
  * when as many pieces are asked for as there are processes, and of each the one of its rank, as
- * ParaView does. All of them have to update the filter then, and what changes in one, be it the
- * filter or its input, has to be Modified() in all: each waits for the others. What fails in one,
- * or is aborted there, ends it in all, with an error in the others; the next update runs again in
- * all. But where other filters follow, call Modified() in all before it: those take what they have
- * for up to date, and ask for nothing.
+ * ParaView does. All of them have to update the filter then, since each waits for the others; and
+ * where the filter or its input changes in one, call Modified() in all. An error or an abort in one
+ * ends the update in all, with an error in the others; the next update runs again in all. But if
+ * other filters follow, call Modified() in all before that update: those filters believe that they
+ * are up to date, and ask for nothing.
  *
  * The points of all pieces are in the tree, and equal ones count each. Points that VTK marks as
  * another piece's (vtkGhostType has DUPLICATEPOINT) are left to that one, on one process as on
- * several; but the bounds are around them, too, and the counts of points that are left out have
+ * several; the bounds are around them, too, but the counts of points that are left out do not have
  * them. So, where pieces share a layer of points, mark it, as vtkGenerateGlobalIds does, or merge
  * points. Hidden points (HIDDENPOINT) are points like all others, and an array of marks without one
- * for each point marks none. Of composite data sets the blocks at one place are pieces of one, if
- * all processes have the same structure; otherwise, and where pieces are asked for in another way,
- * each process makes trees of its own points.
+ * for each point marks none. In composite data sets, blocks at the same place in the structure are
+ * pieces of one, if all processes have the same structure; otherwise, and where pieces are asked
+ * for in another way, each process makes trees of its own points.
  */
 
 #ifndef vtkHashedOctreeAlgorithm_h
@@ -88,9 +88,9 @@ public:
   ///@{
   /** One of Dimensions, less than 2 being Auto and more than 3 being Three; default Auto: Two where
    * exactly one extent of the points is 0, to the last digit, else Three, also for points on a line
-   * along an axis and for points at one place, which tell no plane. With Two, other points are
-   * projected to Plane. In place of the points' extents count those of the custom bounds, where the
-   * filter has them and uses them. */
+   * along an axis and for points at one place, which determine no plane. With Two, other points are
+   * projected to Plane. Where the filter uses custom bounds, their extents count in place of the
+   * points'. */
   virtual void SetDimension(int dimension);
   vtkGetMacro(Dimension, int);
   ///@}
@@ -111,10 +111,10 @@ public:
 
   ///@{
   /** Whether points in one cell of the grid (2^21 cells along each axis of an octree, 2^31 of a
-   * quadtree, whatever MaxDepth) count as one: equal points, and such as differ in their last
-   * digits, but for those with a border of cells between them, as in the middle of the root. Else
-   * they share a leaf at MaxDepth where they are more than MaxPointsPerLeaf, which at the default
-   * MaxDepth is too small to be seen. Default off. */
+   * quadtree, whatever MaxDepth) count as one: equal points, and those that differ in their last
+   * digits only, unless a border of cells, such as the middle of the root, is between them. If off,
+   * more than MaxPointsPerLeaf of them share a leaf at MaxDepth, at the default MaxDepth one too
+   * small to be seen. Default off. */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);
   vtkBooleanMacro(MergePoints, bool);

@@ -21,7 +21,7 @@
  * vtkUnstructuredGrid of VTK_VOXEL or, of a quadtree, VTK_PIXEL (Voxels), or in a vtkPolyData of a
  * VTK_POLY_LINE each along its edges (Outlines). Leaves with points are always in it. Or the whole
  * tree as VTK's own kind of tree, a vtkHyperTreeGrid with the root for its only cell
- * (HyperTreeGrid): all nodes are its vertices, the children of one after the other in VTK's order,
+ * (HyperTreeGrid): all nodes are its vertices, the children of each side by side in VTK's order,
  * and leaves without points are masked, unless they are included. Cell arrays, one value per cell
  * or vertex:
  * - Depth (int, active scalars): 0 is the root;

@@ -3,8 +3,8 @@
  * @class   vtkHashedOctreePointLocator
  * @brief   finds points close to positions: exact, deterministic, in an octree kept in a hash table
  *
- * Answers queries wherever a vtkAbstractPointLocator is asked for, such as vtkStaticPointLocator;
- * it inserts no points, unlike vtkIncrementalPointLocator. The points are put into an octree whose
+ * For use wherever a vtkAbstractPointLocator is taken, like vtkStaticPointLocator; unlike
+ * vtkIncrementalPointLocator it inserts no points. The points are put into an octree whose
  * nodes are reached directly by position and depth, so that a search need not begin at the root: it
  * begins at a start depth estimated from the depths of the leaves ("Statistical optimization of
  * octree searches", Castro, Lewiner, Lopes, Tavares, Bordignon, 2008). The start depth changes what
@@ -20,8 +20,9 @@
  *   is the one that a comparison with every point would give.
  * - Of equally near points the one with the smallest id wins. FindClosestNPoints() sorts by
  *   distance, then by id. The order of FindPointsWithinRadius() is not specified, but depends only
- *   on the data, the properties of the locator and the query. (What some of VTK's filters give
- *   depends on it, with any locator: of vtkShepardKernel with a high power, more than rounding.)
+ *   on the data, the properties of the locator and the query. (The results of some of VTK's filters
+ *   depend on that order, with any locator, those of vtkShepardKernel with a high power by more
+ *   than rounding.)
  * - A radius is inclusive: points with a squared distance of at most radius * radius are within.
  *   Radius 0 finds the points at x, an infinite radius all, one that is negative or NaN none.
  * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
@@ -55,8 +56,8 @@
  * - In the coordinate arrays of a vtkRectilinearGrid: none; call Modified() of the grid.
  *
  * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
- * nothing is modified. (Not after Update(), which does not always build; and who gives the locator
- * to vtkPointSet::SetPointLocator() has to call SetDataSet() as well.) The build runs on the
+ * nothing is modified. (Update() is not enough: it does not always build. And if you give the
+ * locator to vtkPointSet::SetPointLocator(), call SetDataSet() as well.) The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
  * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
  * memory, is an error (to tell of it takes a little, too). Until the next build, as after

@@ -8,7 +8,7 @@
 #   Plugin/setup.sh --fuzz                       the fuzzers, in build/fuzz
 #   Plugin/setup.sh --machine aarch64|s390x      the core's tests for another machine, in build/aarch64 or
 #                                                build/s390x; ctest runs them in an emulator
-# Each of them with --tests, --benchmarks or both, in any order.
+# Each of them also takes --tests, --benchmarks or both, in any order, and then builds these, too.
 set -euo pipefail
 
 root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
@@ -67,7 +67,7 @@ read_arguments() {
         shift ;;
       --tests) tests=yes ;;
       --benchmarks) benchmarks=yes ;;
-      *) fail "unknown option $1; see the head of Plugin/setup.sh" ;;
+      *) fail "unknown option $1; try --help" ;;
     esac
     shift
   done

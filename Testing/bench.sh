@@ -5,7 +5,7 @@
 #   Testing/bench.sh build [arguments of Google Benchmark]   the build of the tree
 #   Testing/bench.sh python [POINTS [POSITIONS [REPETITIONS]]]   the locator from Python beside cKDTree
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
-#                                            --help tells its own arguments
+#                                            locator --help lists its arguments
 #   Testing/bench.sh paper [--quick] [arguments]   the paper's Tables 1 to 3, its claims and figures, in
 #                                            build/bench/paper.md; 25 minutes, --quick one; --help as above
 #   Testing/bench.sh --vtk build|locator [arguments]   these two beside Debian's own VTK (libvtk9-dev), which

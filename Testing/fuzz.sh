@@ -3,7 +3,7 @@
 #
 # Sets everything up and looks for inputs on which searches go wrong: for leaves, then for points.
 #   Testing/fuzz.sh [SECONDS] [arguments of libFuzzer]     60 seconds for each by default
-# What is found of interest is kept in build/fuzz/corpus, what fails in build/fuzz.
+# Inputs of interest are kept in build/fuzz/corpus, those that fail in build/fuzz.
 set -euo pipefail
 
 root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"

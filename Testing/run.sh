@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Sets everything up and runs all tests: first with the sanitizers, then all with ctest.
+# Sets everything up and runs all tests: first with the sanitizers, where these apply, then all without.
 #   Testing/run.sh [--quick] [arguments of ctest]     --quick leaves the sanitizers out
 # The arguments go to every ctest. Those with a sanitizer may then find no test, as with -L python.
 set -euo pipefail
