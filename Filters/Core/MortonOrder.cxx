@@ -16,16 +16,16 @@ namespace
 {
 constexpr int MostDigitBits = 9; // 512 counters stay in the first cache.
 constexpr std::size_t MostDigits = std::size_t(1) << MostDigitBits;
-constexpr int MostSparseDigitBits = 12;           // Where points have no more than 512 of them.
-constexpr std::size_t SampleSize = 1024;          // Points that tell whether it is so.
-constexpr std::size_t InsertionLimit = 32;        // Up to here insertion beats counting digits.
-constexpr std::size_t SerialLimit = 32768;        // Up to here one thread sorts a node on its own,
-constexpr std::size_t SerialShare = 16;           // and up to this part of all points,
-constexpr std::size_t MostSerial = 262144;        // but not more: a stop would have to wait.
-constexpr std::size_t ChunkSize = 16384;          // Points that a thread partitions at a time,
-constexpr std::size_t LeastOfDigit = 8;           // but at least so many for each counter.
-constexpr PointIndex PlacesAhead = 8;             // Places of a digit that are on the way,
-constexpr std::ptrdiff_t MostInFirstCache = 1024; // with more points than these.
+constexpr int MostSparseDigitBits = 12;        // Where points have no more than 512 of them.
+constexpr std::size_t SampleSize = 1024;       // Points that tell whether it is so.
+constexpr std::size_t InsertionLimit = 32;     // Up to here insertion beats counting digits.
+constexpr std::size_t SerialLimit = 32768;     // Up to here one thread sorts a node on its own,
+constexpr std::size_t SerialShare = 16;        // and up to this part of all points,
+constexpr std::size_t MostSerial = 262144;     // but not more: a stop would have to wait.
+constexpr std::size_t ChunkSize = 16384;       // Points that a thread partitions at a time,
+constexpr std::size_t LeastOfDigit = 8;        // but at least so many for each counter.
+constexpr PointIndex PlacesAhead = 8;          // Places of a digit that are on the way,
+constexpr std::size_t MostInFirstCache = 1024; // with more points than these.
 
 using DigitCounts = std::array<PointIndex, MostDigits>;
 
@@ -94,6 +94,15 @@ public:
 
 private:
   using Point = KeyedPoint<Dim>;
+
+  /** One number for each digit of the points in each half of a range. Of points in rows many after
+   * each other have the same digit, and each count waits for the one before; so they are taken by
+   * twos, one of each half. */
+  struct Counters
+  {
+    PointIndex* FirstHalf;
+    PointIndex* SecondHalf;
+  };
 
   /** The points [First, Last) of a node at Depth, in Scratch or in Points; Branching as far as it
    * is known from above. */
@@ -169,10 +178,13 @@ private:
     const std::size_t places = digit.GetCount();
     const std::size_t chunkSize = std::max(ChunkSize, LeastOfDigit * places);
 
-    std::vector<PointIndex> counts(places * Execution::GetNumberOfChunks(count, chunkSize));
+    std::vector<PointIndex> counts(2 * places * Execution::GetNumberOfChunks(count, chunkSize));
+    const auto getCounters = [&](std::size_t chunk) {
+      return Counters{ &counts[2 * chunk * places], &counts[(2 * chunk + 1) * places] };
+    };
     this->ForChunks(count, chunkSize,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
-      { CountDigits(from + first, from + last, digit, &counts[chunk * places]); });
+      { CountDigits(from + first, last - first, digit, getCounters(chunk)); });
     const std::vector<std::size_t> starts = FindPlaces(counts, places);
 
     const std::size_t firstDigit = digit.Of(from[0]);
@@ -186,7 +198,7 @@ private:
     Point* to = this->Data(!range.InScratch) + range.First;
     this->ForChunks(count, chunkSize,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
-      { Scatter(from + first, from + last, digit, &counts[chunk * places], to); });
+      { Scatter(from + first, last - first, digit, getCounters(chunk), to); });
     std::size_t occupied = 0;
     for (std::size_t place = 0; place < places; ++place)
     {
@@ -204,16 +216,22 @@ private:
   }
 
   static void CountDigits(
-    const Point* from, const Point* end, const Digit<Dim>& digit, PointIndex* counts)
+    const Point* from, std::size_t count, const Digit<Dim>& digit, const Counters& counts)
   {
-    for (; from != end; ++from)
+    const std::size_t half = count / 2;
+    for (std::size_t i = 0; i < half; ++i)
     {
-      ++counts[digit.Of(*from)];
+      ++counts.FirstHalf[digit.Of(from[i])];
+      ++counts.SecondHalf[digit.Of(from[half + i])];
+    }
+    if (count % 2 != 0)
+    {
+      ++counts.SecondHalf[digit.Of(from[count - 1])];
     }
   }
 
-  /** Of each digit the place of its first point, and one past the last; `counts` of chunk after
-   * chunk become the places where each of them puts its first one. */
+  /** Of each digit the place of its first point, and one past the last; `counts` of half after half
+   * of the chunks become the places where each of them puts its first one. */
   static std::vector<std::size_t> FindPlaces(std::vector<PointIndex>& counts, std::size_t digits)
   {
     const auto step = static_cast<std::ptrdiff_t>(digits);
@@ -263,18 +281,26 @@ private:
   }
 
   /** Copies points to the places of their digits, which move on. */
-  static void Scatter(
-    const Point* from, const Point* end, const Digit<Dim>& digit, PointIndex* places, Point* to)
+  static void Scatter(const Point* from, std::size_t count, const Digit<Dim>& digit,
+    const Counters& places, Point* to)
   {
-    const bool asksAhead = end - from > MostInFirstCache;
-    for (; from != end; ++from)
+    const bool asksAhead = count > MostInFirstCache;
+    const std::size_t half = count / 2;
+    for (std::size_t i = 0; i < half; ++i)
     {
-      const PointIndex place = places[digit.Of(*from)]++;
-      to[place] = *from;
+      const PointIndex first = places.FirstHalf[digit.Of(from[i])]++;
+      const PointIndex second = places.SecondHalf[digit.Of(from[half + i])]++;
+      to[first] = from[i];
+      to[second] = from[half + i];
       if (asksAhead)
       {
-        __builtin_prefetch(&to[place + PlacesAhead], 1);
+        __builtin_prefetch(&to[first + PlacesAhead], 1);
+        __builtin_prefetch(&to[second + PlacesAhead], 1);
       }
+    }
+    if (count % 2 != 0)
+    {
+      to[places.SecondHalf[digit.Of(from[count - 1])]++] = from[count - 1];
     }
   }
 
@@ -319,7 +345,9 @@ private:
   void SortOne(
     Point* from, Point* other, std::size_t count, int depth, bool intoOther, double branching) const
   {
-    DigitCounts offsets;
+    DigitCounts first;
+    DigitCounts second;
+    const Counters offsets{ first.data(), second.data() };
     int depths = 0;
     for (;; depth += depths)
     {
@@ -338,9 +366,11 @@ private:
       }
       depths = this->GetDepths(count, depth, branching, Digit<Dim>::MostDepths);
       const Digit<Dim> digit(depth, depths);
-      std::fill_n(offsets.begin(), digit.GetCount(), 0);
-      CountDigits(from, from + count, digit, offsets.data());
-      if (offsets[digit.Of(from[0])] != count)
+      std::fill_n(first.begin(), digit.GetCount(), 0);
+      std::fill_n(second.begin(), digit.GetCount(), 0);
+      CountDigits(from, count, digit, offsets);
+      const std::size_t place = digit.Of(from[0]);
+      if (first[place] + second[place] != count)
       {
         break;
       }
@@ -351,20 +381,21 @@ private:
     std::size_t occupied = 0;
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
-      occupied += offsets[place] != 0 ? 1 : 0;
-      sum += std::exchange(offsets[place], sum);
+      occupied += first[place] + second[place] != 0 ? 1 : 0;
+      sum += std::exchange(first[place], sum);
+      sum += std::exchange(second[place], sum);
     }
     const double below = GetBranching(occupied, depths);
-    Scatter(from, from + count, digit, offsets.data(), other);
-    PointIndex first = 0;
+    Scatter(from, count, digit, offsets, other);
+    PointIndex begin = 0;
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
-      const PointIndex last = offsets[place];
-      if (last != first)
+      const PointIndex end = second[place]; // Those of the second half come last.
+      if (end != begin)
       {
-        this->SortOne(other + first, from + first, last - first, depth + depths, !intoOther, below);
+        this->SortOne(other + begin, from + begin, end - begin, depth + depths, !intoOther, below);
       }
-      first = last;
+      begin = end;
     }
   }
 
