@@ -14,7 +14,8 @@ namespace hashedoctree
 /**
  * Many searches at once, shared out among the threads of an execution, with progress. Each search
  * finds what PointSearch finds, whatever the number of threads. Positions are taken in a
- * BatchOrder. Members throw Interrupted; a sign to stop is heeded between two searches.
+ * BatchOrder. Members throw Interrupted; a sign to stop is heeded between two searches, and where
+ * what they found is copied.
  */
 template <int Dim, typename Real>
 class PointBatch
@@ -37,7 +38,7 @@ public:
   void FindClosest(
     PointSpan<Dim, QueryReal> positions, std::size_t count, Id* ids, double* dist2) const
   {
-    this->ForOrders(positions,
+    this->ForOrders(positions, this->Threads,
       [&](const BatchOrder<Dim>& order, const Execution& execution)
       {
         execution.For(order.GetCount(), Grain,
@@ -68,24 +69,34 @@ public:
     std::size_t GetNumberOfPoints() const { return this->Offsets.back(); }
 
     /** Writes where the part of each position begins, and at last where the last one ends:
-     * positions + 1 values; and the ids and squared distances of all parts. */
+     * positions + 1 values; and the ids and squared distances of all parts. On the threads of the
+     * batch, with the rest of its progress. */
     template <typename Id>
     void CopyTo(Id* offsets, Id* ids, double* dist2) const
     {
       std::copy(this->Offsets.begin(), this->Offsets.end(), offsets);
+      const auto all = static_cast<double>(this->Offsets.size() - 1);
+      double done = 0.0;
       for (const Slice& slice : this->Slices)
       {
-        const FoundPoint* point = nullptr;
-        for (std::size_t place = 0; place < slice.Order.GetCount(); ++place)
-        {
-          point = place % Grain == 0 ? slice.Chunks[place / Grain].data() : point;
-          const std::size_t i = slice.Order[place];
-          for (std::size_t at = this->Offsets[i]; at < this->Offsets[i + 1]; ++at, ++point)
+        const double begin = done;
+        done += static_cast<double>(slice.Order.GetCount()) / all;
+        const Execution execution = this->Copying.Part(begin, done);
+        execution.ForChunks(slice.Order.GetCount(), Grain,
+          [&](std::size_t chunk, std::size_t first, std::size_t last)
           {
-            ids[at] = static_cast<Id>(point->Id);
-            dist2[at] = point->Dist2;
-          }
-        }
+            const FoundPoint* point = slice.Chunks[chunk].data();
+            for (std::size_t place = first; place < last; ++place)
+            {
+              execution.HeedStop();
+              const std::size_t i = slice.Order[place];
+              for (std::size_t at = this->Offsets[i]; at < this->Offsets[i + 1]; ++at, ++point)
+              {
+                ids[at] = static_cast<Id>(point->Id);
+                dist2[at] = point->Dist2;
+              }
+            }
+          });
       }
     }
 
@@ -96,17 +107,25 @@ public:
       BatchOrder<Dim> Order;
       std::vector<std::vector<FoundPoint>> Chunks; ///< Of Grain positions each, in that order.
     };
+    Lists(std::size_t numberOfPositions, Execution copying)
+      : Offsets(numberOfPositions + 1, 0)
+      , Copying(std::move(copying))
+    {
+    }
+
     std::vector<std::size_t> Offsets;
     std::vector<Slice> Slices;
+    Execution Copying;
   };
 
-  /** The points within a radius of each position, those at it included, by distance, then by id. */
+  /** The points within a radius of each position, those at it included, by distance, then by id.
+   * These take 16 bytes each until they are copied. */
   template <typename QueryReal>
   Lists FindWithin(PointSpan<Dim, QueryReal> positions, double radius) const
   {
-    Lists lists;
-    lists.Offsets.assign(positions.Count + 1, 0);
-    this->ForOrders(positions,
+    constexpr double findingShare = 0.7; // Of the progress; the rest is for copying.
+    Lists lists(positions.Count, this->Threads.Part(findingShare, 1.0));
+    this->ForOrders(positions, this->Threads.Part(0.0, findingShare),
       [&](BatchOrder<Dim>& order, const Execution& execution)
       {
         std::vector<std::vector<FoundPoint>> chunks(
@@ -136,7 +155,8 @@ private:
 
   /** Calls function(order, execution) for the positions, a slice that can be ordered at a time. */
   template <typename Positions, typename Function>
-  void ForOrders(const Positions& positions, const Function& function) const
+  void ForOrders(
+    const Positions& positions, const Execution& execution, const Function& function) const
   {
     constexpr std::size_t most = BatchOrder<Dim>::MostPositions;
     for (std::size_t first = 0; first < positions.Count; first += most)
@@ -144,7 +164,7 @@ private:
       const std::size_t last = std::min(positions.Count, first + most);
       const auto all = static_cast<double>(positions.Count);
       const Execution part =
-        this->Threads.Part(static_cast<double>(first) / all, static_cast<double>(last) / all);
+        execution.Part(static_cast<double>(first) / all, static_cast<double>(last) / all);
       BatchOrder<Dim> order(this->Tree, positions, first, last, part.Part(0.0, 0.2));
       function(order, part.Part(0.2, 1.0));
     }

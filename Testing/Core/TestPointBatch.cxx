@@ -159,6 +159,21 @@ TEST(TestPointBatch, ProgressRisesFromOneOrderToTheNext)
   told.ExpectToRise(10);
 }
 
+TEST(TestPointBatch, ProgressOfListsEndsWithTheirCopies)
+{
+  const Batch batch(Few, BatchOrder<3>::MostPositions + 200000);
+  ToldProgress told;
+  const auto lists = PointBatch(batch.Tree, told.MakeExecution()).FindWithin(batch.GetSpan(), 0.1);
+  const std::size_t toldWhileSearching = told.GetFractions().size();
+  EXPECT_LT(told.GetFractions().back(), 0.9);
+  std::vector<long long> offsets(batch.GetSpan().Count + 1);
+  std::vector<long long> ids(lists.GetNumberOfPoints());
+  std::vector<double> dist2(lists.GetNumberOfPoints());
+  lists.CopyTo(offsets.data(), ids.data(), dist2.data());
+  told.ExpectToRise(toldWhileSearching + 10);
+  EXPECT_GT(told.GetFractions().back(), 0.999);
+}
+
 TEST(TestPointBatch, OfNoPositionsIsEmpty)
 {
   const Batch batch(Few);
@@ -194,4 +209,18 @@ TEST(TestPointBatch, HeedsTheSignToStopBeforeEachSearch)
   EXPECT_THROW(stopped.FindClosest(batch.GetSpan(), 1, ids.data(), dist2.data()), Interrupted);
   EXPECT_EQ(ids, std::vector<long long>(ids.size(), 77)) << "no search was made";
   EXPECT_THROW(stopped.FindWithin(batch.GetSpan(), 0.1), Interrupted);
+}
+
+TEST(TestPointBatch, HeedsTheSignToStopWhileListsAreCopied)
+{
+  const Batch batch(1000);
+  StopSign::Count stops{ 0 };
+  const PointBatch search(batch.Tree, Execution(OnThisThread, {}, StopSign(stops)));
+  const auto lists = search.FindWithin(batch.GetSpan(), 0.1);
+  std::vector<long long> offsets(batch.GetSpan().Count + 1);
+  std::vector<long long> ids(lists.GetNumberOfPoints(), 77);
+  std::vector<double> dist2(lists.GetNumberOfPoints());
+  ++stops;
+  EXPECT_THROW(lists.CopyTo(offsets.data(), ids.data(), dist2.data()), Interrupted);
+  EXPECT_EQ(ids, std::vector<long long>(ids.size(), 77));
 }
