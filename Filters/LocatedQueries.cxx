@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <vector>
 
 namespace hashedoctree
@@ -24,16 +23,6 @@ template <typename Costs>
 void Add(Costs& sums, const Costs& costs)
 {
   std::transform(sums.begin(), sums.end(), costs.begin(), sums.begin(), std::plus<>());
-}
-
-/** Those that are not 0. */
-template <typename Key>
-std::vector<Key> TakeFinite(const std::vector<Key>& keys)
-{
-  std::vector<Key> finite;
-  std::copy_if(
-    keys.begin(), keys.end(), std::back_inserter(finite), [](Key key) { return key != Key(0); });
-  return finite;
 }
 
 /** What is found for one query as it is sent: the leaf's number and key, and a byte for the cost of
@@ -86,54 +75,94 @@ LocatedQueries<Dim>::LocatedQueries(
     [&](auto span)
     {
       this->Own =
-        GetQueryKeys(octree.Tree.GetGrid(), Project(span, octree.Frame), execution.Part(0.5, 1.0));
+        GetQueryKeys(octree.Tree.GetGrid(), Project(span, octree.Frame), execution.Part(0.5, 0.8));
     });
-  for (std::size_t i = 0; i < this->Own.size(); ++i)
-  {
-    const bool counts = !this->Others.Have(static_cast<vtkIdType>(i));
-    this->Counted += counts ? 1 : 0;
-    this->Skipped += counts && this->Own[i] == MortonKey<Dim>(0) ? 1 : 0;
-  }
+  this->Count(execution.Part(0.8, 0.9));
   if (octree.Processes.AreSeveral())
   {
-    this->Taken = octree.Processes.Exchange(octree.Division.Deal(TakeFinite(this->Own)));
+    constexpr bool ofOthersToo = true;
+    const Keys finite = this->TakeFinite(ofOthersToo, execution.Part(0.9, 1.0));
+    this->Taken = octree.Processes.Exchange(octree.Division.Deal(finite));
   }
+}
+
+template <int Dim>
+void LocatedQueries<Dim>::Count(const Execution& execution)
+{
+  struct Counts
+  {
+    std::size_t Counted = 0;
+    std::size_t Skipped = 0;
+  };
+  const auto chunks = execution.MapChunks(this->Own.GetSize(), QueriesAtATime,
+    [this](std::size_t first, std::size_t last)
+    {
+      Counts counts;
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const bool isCounted = !this->Others.Have(static_cast<vtkIdType>(i));
+        counts.Counted += isCounted ? 1 : 0;
+        counts.Skipped += isCounted && this->Own[i] == MortonKey<Dim>(0) ? 1 : 0;
+      }
+      return counts;
+    });
+  for (const Counts& counts : chunks)
+  {
+    this->Counted += counts.Counted;
+    this->Skipped += counts.Skipped;
+  }
+}
+
+/** The keys of the finite queries of this process, with those that are another piece's or without.
+ */
+template <int Dim>
+auto LocatedQueries<Dim>::TakeFinite(bool ofOthersToo, const Execution& execution) const -> Keys
+{
+  Keys keys;
+  keys.reserve(this->Own.GetSize());
+  execution.OnOneThread().ForEach(this->Own.GetSize(), QueriesAtATime,
+    [&](std::size_t i)
+    {
+      const bool isTaken = ofOthersToo || !this->Others.Have(static_cast<vtkIdType>(i));
+      if (isTaken && this->Own[i] != MortonKey<Dim>(0))
+      {
+        keys.push_back(this->Own[i]);
+      }
+    });
+  return keys;
 }
 
 template <int Dim>
 DepthHistogram LocatedQueries<Dim>::MeasureDepths(const Execution& execution) const
 {
   const ProcessGroup& processes = this->Tree.Processes;
-  const Keys* keys = processes.AreSeveral() ? &this->Taken.Values : &this->Own;
-  Keys counted;
+  const Execution taking = execution.Part(0.0, 0.3);
+  const Execution measuring = execution.Part(0.3, 1.0);
+  const auto measure = [&](const MortonKey<Dim>* keys, std::size_t count) {
+    return MeasureQueryDepths(this->Tree.Tree, KeySpan<Dim>{ keys, count }, measuring);
+  };
+  DepthHistogram depths;
   if (processes.Sum(this->Others.AreThere() ? 1U : 0U) > 0)
   {
-    counted = this->GetCountedKeys();
+    constexpr bool ofOthersToo = true;
+    Keys counted = this->TakeFinite(!ofOthersToo, taking);
     if (processes.AreSeveral())
     {
-      counted = processes.Exchange(this->Tree.Division.Deal(TakeFinite(counted))).Values;
+      counted = processes.Exchange(this->Tree.Division.Deal(counted)).Values;
     }
-    keys = &counted;
+    depths = measure(counted.data(), counted.size());
   }
-  DepthHistogram depths = MeasureQueryDepths(this->Tree.Tree, *keys, execution);
+  else if (processes.AreSeveral())
+  {
+    depths = measure(this->Taken.Values.data(), this->Taken.Values.size());
+  }
+  else
+  {
+    depths = measure(this->Own.GetData(), this->Own.GetSize());
+  }
   depths.resize(this->Tree.Counts.Leaves.size());
   processes.Sum(depths);
   return depths;
-}
-
-/** The keys of this process's queries, 0 in place of those that are another piece's. */
-template <int Dim>
-auto LocatedQueries<Dim>::GetCountedKeys() const -> Keys
-{
-  Keys keys = this->Own;
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    if (this->Others.Have(static_cast<vtkIdType>(i)))
-    {
-      keys[i] = MortonKey<Dim>(0);
-    }
-  }
-  return keys;
 }
 
 template <int Dim>
@@ -145,7 +174,7 @@ auto LocatedQueries<Dim>::Search(
     return this->SearchWithOthers(search, output, execution);
   }
   const QueryArrays<Dim> arrays(output);
-  const auto chunks = execution.MapChunks(this->Own.size(), QueriesAtATime,
+  const auto chunks = execution.MapChunks(this->Own.GetSize(), QueriesAtATime,
     [&](std::size_t first, std::size_t last)
     {
       Costs costs{};
@@ -198,7 +227,7 @@ auto LocatedQueries<Dim>::SearchWithOthers(
   const QueryArrays<Dim> arrays(output);
   Costs costs{};
   std::vector<std::size_t> next = answers.GetBegins(); // Each comes in the order of the keys.
-  for (std::size_t i = 0; i < this->Own.size(); ++i)
+  for (std::size_t i = 0; i < this->Own.GetSize(); ++i)
   {
     FoundQuery<Dim> found;
     if (this->Own[i] != MortonKey<Dim>(0))

@@ -2,6 +2,7 @@
 #ifndef LocatedQueries_h
 #define LocatedQueries_h
 
+#include "Buffer.h"
 #include "DuplicatePoints.h"
 #include "Parted.h"
 #include "QueryArrays.h"
@@ -50,7 +51,8 @@ public:
 private:
   using Keys = std::vector<MortonKey<Dim>>;
 
-  Keys GetCountedKeys() const;
+  void Count(const Execution& execution);
+  Keys TakeFinite(bool ofOthersToo, const Execution& execution) const;
   Costs SearchWithOthers(
     const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const;
   void Take(std::size_t query, const FoundQuery<Dim>& found, const QueryArrays<Dim>& arrays,
@@ -61,7 +63,7 @@ private:
   std::size_t Counted = 0;
   std::size_t Skipped = 0;
   /** The key of each query of this process, 0 where it is not finite. */
-  Keys Own;
+  Buffer<MortonKey<Dim>> Own;
   /** Those that are searched for here, by the process that has the queries; not of one alone. */
   Parted<MortonKey<Dim>> Taken;
 };

@@ -42,17 +42,17 @@ private:
   PointIndex Id;
 };
 
-/** Points that are known by their keys, from the first on. Throws std::length_error for more than
- * ids can tell apart. */
+/** Points that are known by their keys, from the first on. Throws Interrupted, and
+ * std::length_error for more than ids can tell apart. */
 template <int Dim>
-Buffer<KeyedPoint<Dim>> NumberKeys(const std::vector<MortonKey<Dim>>& keys)
+Buffer<KeyedPoint<Dim>> NumberKeys(
+  const std::vector<MortonKey<Dim>>& keys, const Execution& execution)
 {
+  constexpr std::size_t grain = 4096; // Keys that a thread numbers at a time.
   RequirePointIndices(keys.size());
   Buffer<KeyedPoint<Dim>> keyed(keys.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    keyed[i] = KeyedPoint<Dim>(keys[i], static_cast<PointIndex>(i));
-  }
+  execution.ForEach(keys.size(), grain,
+    [&](std::size_t i) { keyed[i] = KeyedPoint<Dim>(keys[i], static_cast<PointIndex>(i)); });
   return keyed;
 }
 

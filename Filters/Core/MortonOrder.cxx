@@ -71,6 +71,11 @@ public:
 
   void Sort()
   {
+    if (this->AreInOrder())
+    {
+      this->Threads.Tell(1.0);
+      return;
+    }
     TouchPages(this->Scratch, this->Points.GetSize(), this->Threads);
     const std::size_t limit =
       std::clamp(this->Points.GetSize() / SerialShare, SerialLimit, MostSerial);
@@ -114,6 +119,21 @@ private:
     bool InScratch;
     double Branching;
   };
+
+  /** Whether all points come sorted. Compares them up to the first that does not. */
+  bool AreInOrder() const
+  {
+    const auto isBefore = [](const Point& a, const Point& b) { return a.GetKey() < b.GetKey(); };
+    const Point* points = this->Points.GetData();
+    bool areInOrder = true;
+    this->Threads.Part(0.0, 0.0).OnOneThread().ForChunks(this->Points.GetSize(), ChunkSize,
+      [&](std::size_t, std::size_t first, std::size_t last)
+      {
+        const std::size_t before = first == 0 ? 0 : first - 1;
+        areInOrder = areInOrder && std::is_sorted(points + before, points + last, isBefore);
+      });
+    return areInOrder;
+  }
 
   bool IsLeaf(std::size_t count, int depth) const
   {

@@ -15,7 +15,8 @@ namespace hashedoctree
  * from the points and the limits alone, not from the number of threads. With one point per leaf and
  * MortonKey::MaxDepth, all points stand by key, then by id.
  *
- * A radix partition from the root downwards, several depths at a time: depths that do not part the
+ * Points that come in the order of their keys are left as they are; else it is a radix partition
+ * from the root downwards, several depths at a time: depths that do not part the
  * points of a node cost one pass of reading, of a large node all of them together one more, and
  * nodes of a few points are sorted by insertion.
  * O(n) for n points; uses a second array of the same size, which is in the spare memory if that is

@@ -13,6 +13,7 @@ namespace
 {
 /** Shares of the progress: of all, and of what is done with the keys. */
 constexpr double KeysShare = 0.2;
+constexpr double NumberingShare = 0.05; // Of keys that are given.
 constexpr double SortingShare = 0.375;
 }
 
@@ -42,8 +43,8 @@ Octree<Dim>::Octree(const Grid<Dim>& grid, const std::vector<Key>& keys, const O
   {
     return;
   }
-  Buffer<KeyedPoint<Dim>> keyed = NumberKeys(keys);
-  this->Build(keyed, execution, {});
+  Buffer<KeyedPoint<Dim>> keyed = NumberKeys(keys, execution.Part(0.0, NumberingShare));
+  this->Build(keyed, execution.Part(NumberingShare, 1.0), {});
 }
 
 template <int Dim>

@@ -18,6 +18,7 @@ template <int Dim>
 struct KeySpan
 {
   const MortonKey<Dim>* Keys = nullptr;
+  std::size_t Count = 0;
 };
 
 /** How many keys are made at a time: their cells stay in the first cache. */

@@ -15,10 +15,10 @@ constexpr std::size_t QueriesAtATime = 4096; // That a thread does.
 }
 
 template <int Dim, typename Points>
-std::vector<MortonKey<Dim>> GetQueryKeys(
+Buffer<MortonKey<Dim>> GetQueryKeys(
   const Grid<Dim>& grid, Points queries, const Execution& execution)
 {
-  std::vector<MortonKey<Dim>> keys(queries.Count);
+  Buffer<MortonKey<Dim>> keys(queries.Count);
   execution.ForChunks(queries.Count, QueriesAtATime,
     [&](std::size_t, std::size_t first, std::size_t last)
     {
@@ -37,20 +37,19 @@ std::vector<MortonKey<Dim>> GetQueryKeys(
 
 template <int Dim>
 DepthHistogram MeasureQueryDepths(
-  const Octree<Dim>& tree, const std::vector<MortonKey<Dim>>& keys, const Execution& execution)
+  const Octree<Dim>& tree, KeySpan<Dim> keys, const Execution& execution)
 {
   using PerDepth = std::array<std::uint64_t, MortonKey<Dim>::MaxDepth + 1>;
   const int startDepth = GetMedianDepth(tree.GetDepthCounts().Leaves);
-  const auto chunks = execution.MapChunks(keys.size(), QueriesAtATime,
+  const auto chunks = execution.MapChunks(keys.Count, QueriesAtATime,
     [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};
       FindLeaves(
-        tree, KeySpan<Dim>{ keys.data() }, first, last,
-        [startDepth](MortonKey<Dim>) { return startDepth; },
-        [&counts, &keys](std::size_t i, const FoundLeaf<Dim>& leaf)
+        tree, keys, first, last, [startDepth](MortonKey<Dim>) { return startDepth; },
+        [&counts, keys](std::size_t i, const FoundLeaf<Dim>& leaf)
         {
-          const bool isCounted = keys[i] != MortonKey<Dim>(0);
+          const bool isCounted = keys.Keys[i] != MortonKey<Dim>(0);
           counts[static_cast<std::size_t>(leaf.Key.GetDepth())] += isCounted ? 1 : 0;
         });
       return counts;
@@ -66,18 +65,16 @@ DepthHistogram MeasureQueryDepths(
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
-  template std::vector<MortonKey<Dim>> GetQueryKeys(                                               \
+  template Buffer<MortonKey<Dim>> GetQueryKeys(                                                    \
     const Grid<Dim>&, PointSpan<Dim, float>, const Execution&);                                    \
-  template std::vector<MortonKey<Dim>> GetQueryKeys(                                               \
+  template Buffer<MortonKey<Dim>> GetQueryKeys(                                                    \
     const Grid<Dim>&, PointSpan<Dim, double>, const Execution&);                                   \
-  template DepthHistogram MeasureQueryDepths(                                                      \
-    const Octree<Dim>&, const std::vector<MortonKey<Dim>>&, const Execution&);
+  template DepthHistogram MeasureQueryDepths(const Octree<Dim>&, KeySpan<Dim>, const Execution&);
 HASHEDOCTREE_INSTANTIATE(1)
 HASHEDOCTREE_INSTANTIATE(2)
 HASHEDOCTREE_INSTANTIATE(3)
 HASHEDOCTREE_INSTANTIATE(4)
 #undef HASHEDOCTREE_INSTANTIATE
-template std::vector<MortonKey<2>> GetQueryKeys(const Grid<2>&, PlaneSpan<float>, const Execution&);
-template std::vector<MortonKey<2>> GetQueryKeys(
-  const Grid<2>&, PlaneSpan<double>, const Execution&);
+template Buffer<MortonKey<2>> GetQueryKeys(const Grid<2>&, PlaneSpan<float>, const Execution&);
+template Buffer<MortonKey<2>> GetQueryKeys(const Grid<2>&, PlaneSpan<double>, const Execution&);
 }

@@ -2,9 +2,11 @@
 #ifndef hashedoctree_QueryDepths_h
 #define hashedoctree_QueryDepths_h
 
+#include "Buffer.h"
 #include "Octree.h"
+#include "PointKeys.h"
 
-#include <vector>
+#include <cstddef>
 
 namespace hashedoctree
 {
@@ -14,13 +16,13 @@ namespace hashedoctree
  * and double, in two dimensions for PlaneSpans, too. Throws Interrupted.
  */
 template <int Dim, typename Points>
-std::vector<MortonKey<Dim>> GetQueryKeys(
+Buffer<MortonKey<Dim>> GetQueryKeys(
   const Grid<Dim>& grid, Points queries, const Execution& execution);
 
 /**
- * The histogram of what is really searched for: how many of the positions with these keys lie in
- * leaves of each depth. It is the p_l * f_l of the paper (section 4) with f measured from a second
- * set of points instead of being modelled, from depth 0 to the tree's deepest.
+ * The histogram of what is really searched for: how many of the positions with these keys lie
+ * in leaves of each depth. It is the p_l * f_l of the paper (section 4) with f measured from a
+ * second set of points instead of being modelled, from depth 0 to the tree's deepest.
  *
  * Positions outside the root count for the leaf nearest to them, as in Grid; key 0 is left out.
  * O(1 + |l - median|) for each position whose leaf is at depth l. The same whatever the threads.
@@ -28,7 +30,7 @@ std::vector<MortonKey<Dim>> GetQueryKeys(
  */
 template <int Dim>
 DepthHistogram MeasureQueryDepths(
-  const Octree<Dim>& tree, const std::vector<MortonKey<Dim>>& keys, const Execution& execution);
+  const Octree<Dim>& tree, KeySpan<Dim> keys, const Execution& execution);
 }
 
 #endif

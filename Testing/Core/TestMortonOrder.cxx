@@ -5,6 +5,7 @@
 #include "OnThisThread.h"
 #include "PointSamples.h"
 #include "Threads.h"
+#include "ToldProgress.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -182,6 +183,33 @@ TYPED_TEST(TestMortonOrder, SpareMemoryChangesNothing)
     const auto firstSpared = spare.begin() + static_cast<std::ptrdiff_t>(room < count ? 0 : count);
     EXPECT_TRUE(std::all_of(firstSpared, spare.end(),
       [&](const auto& point) { return TestFixture::AreSame(point, untouched); }));
+  }
+}
+
+TYPED_TEST(TestMortonOrder, PointsInOrderAreLeftAsTheyAre)
+{
+  constexpr int dim = TestFixture::Dim;
+  constexpr int maxDepth = MortonKey<dim>::MaxDepth;
+  constexpr std::size_t count = 100000;
+  auto expected = TestFixture::MakePoints({ "uniform", MakeUniformPoints<dim, double>(count, 57) });
+  SortAlongMortonCurve(expected, 1, maxDepth, Execution());
+  const KeyedPoint<dim> untouched(MortonKey<dim>(), MaxNumberOfPoints);
+  // All in order, then all but two neighbours, beside the border between two chunks, too.
+  for (const std::size_t swapped :
+    { std::size_t(0), std::size_t(1), 16384 - std::size_t(1), std::size_t(16384), count - 1 })
+  {
+    Buffer<KeyedPoint<dim>> points(count);
+    std::copy_n(expected.GetData(), count, points.GetData());
+    std::swap(points[swapped], points[swapped == 0 ? 0 : swapped - 1]);
+    std::vector<KeyedPoint<dim>> spare(count, untouched);
+    ToldProgress told;
+    SortAlongMortonCurve(
+      points, 1, maxDepth, told.MakeExecution(), { spare.data(), count * sizeof(untouched) });
+    EXPECT_TRUE(std::equal(
+      points.GetData(), points.GetData() + count, expected.GetData(), TestFixture::AreSame));
+    EXPECT_EQ(TestFixture::AreSame(spare[0], untouched), swapped == 0);
+    told.ExpectToRise(2);
+    EXPECT_EQ(told.GetFractions().back(), 1.0);
   }
 }
 

@@ -14,7 +14,8 @@ template <int Dim, typename Real>
 DepthHistogram MeasureDepths(
   const Octree<Dim>& tree, PointSpan<Dim, Real> queries, const Execution& execution)
 {
-  return MeasureQueryDepths(tree, GetQueryKeys(tree.GetGrid(), queries, execution), execution);
+  const auto keys = GetQueryKeys(tree.GetGrid(), queries, execution);
+  return MeasureQueryDepths(tree, KeySpan<Dim>{ keys.GetData(), keys.GetSize() }, execution);
 }
 }
 
@@ -107,5 +108,7 @@ TEST(TestQueryDepthsFacts, CanBeInterrupted)
   const Execution execution(OnThisThread, [](double) { return false; });
   EXPECT_THROW(GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), execution), Interrupted);
   const auto keys = GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), Execution());
-  EXPECT_THROW(MeasureQueryDepths(made.Tree, keys, execution), Interrupted);
+  EXPECT_THROW(
+    MeasureQueryDepths(made.Tree, KeySpan<3>{ keys.GetData(), keys.GetSize() }, execution),
+    Interrupted);
 }

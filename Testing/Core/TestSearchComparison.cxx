@@ -152,8 +152,9 @@ TYPED_TEST(TestSearchComparison, TheBestDepthCostsTheQueriesTheLeast)
   const PointSample<dim, double> sample{ "clusters", MakeClusteredPoints<dim, double>(500, 202) };
   const SampleTree<dim, double> made(sample);
   const PointSample<dim, double> queries{ "queries", MakeUniformPoints<dim, double>(200, 203) };
-  const auto depths = MeasureQueryDepths(
-    made.Tree, GetQueryKeys(made.Tree.GetGrid(), queries.GetSpan(), Execution()), Execution());
+  const auto keys = GetQueryKeys(made.Tree.GetGrid(), queries.GetSpan(), Execution());
+  const auto depths =
+    MeasureQueryDepths(made.Tree, KeySpan<dim>{ keys.GetData(), keys.GetSize() }, Execution());
   const auto sum = [&](const StartDepthOptions& options, typename Comparison::Search search)
   {
     const auto comparison = MakeComparison<dim>(made.Tree, options, depths);

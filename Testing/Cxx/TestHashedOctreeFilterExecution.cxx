@@ -192,7 +192,14 @@ TEST(TestHashedOctreeFilterExecution, AnOutputTypeThatIsSetMeanwhileChangesNothi
   }
 }
 
-TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
+/** Of ten million points, merged or not. */
+class TestHashedOctreeFilterAbort : public ::testing::TestWithParam<bool>
+{
+};
+
+INSTANTIATE_TEST_SUITE_P(Merging, TestHashedOctreeFilterAbort, ::testing::Bool());
+
+TEST_P(TestHashedOctreeFilterAbort, IsNeverHeededLate)
 {
   // One thread has the longest way from one look at the abort flag to the next. The abort at the
   // end adds the time that it takes to free what was made until then. Two runs report the same:
@@ -201,6 +208,8 @@ TEST(TestHashedOctreeFilterExecution, NeverWorksLongWithoutHeedingAnAbort)
   // 45 ms of processor time by this clock.)
   TestedFilter filter;
   filter->SetInputData(MakeManyPoints(ManyPoints, 62));
+  filter->SetMergePoints(GetParam());
+  filter->SetMaxPointsPerLeaf(GetParam() ? 50 : 1); // What merging adds comes before the cells.
   std::vector<ProgressWatch::Report> reports;
   for (int run = 0; run < 2; ++run)
   {
