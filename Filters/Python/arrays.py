@@ -18,6 +18,7 @@ on Ctrl-C while one is called.
 from decimal import Decimal
 from itertools import chain
 from numbers import Real
+from operator import index
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -51,6 +52,7 @@ def find_closest_n_points(locator, count, positions):
     """The count points closest to each position, by distance, then by id: ids and squared
     distances, both of shape (m, count); -1 and infinity where there are fewer."""
     ids, dist2 = vtkIdTypeArray(), vtkDoubleArray()
+    count = int(index(count))
     view = _view(positions)
     _run(locator, locator.FindClosestNPoints, count, view, ids, dist2)
     shape = (view.GetNumberOfTuples(), max(count, 0))
