@@ -80,8 +80,7 @@ LocatedQueries<Dim>::LocatedQueries(
   this->Count(execution.Part(0.8, 0.9));
   if (octree.Processes.AreSeveral())
   {
-    constexpr bool ofOthersToo = true;
-    const Keys finite = this->TakeFinite(ofOthersToo, execution.Part(0.9, 1.0));
+    const Keys finite = this->TakeFinite(DuplicatePoints(), execution.Part(0.9, 1.0));
     this->Taken = octree.Processes.Exchange(octree.Division.Deal(finite));
   }
 }
@@ -113,18 +112,17 @@ void LocatedQueries<Dim>::Count(const Execution& execution)
   }
 }
 
-/** The keys of the finite queries of this process, with those that are another piece's or without.
- */
+/** The keys of the finite queries of this process, but for some. */
 template <int Dim>
-auto LocatedQueries<Dim>::TakeFinite(bool ofOthersToo, const Execution& execution) const -> Keys
+auto LocatedQueries<Dim>::TakeFinite(
+  const DuplicatePoints& leftOut, const Execution& execution) const -> Keys
 {
   Keys keys;
   keys.reserve(this->Own.GetSize());
   execution.OnOneThread().ForEach(this->Own.GetSize(), QueriesAtATime,
     [&](std::size_t i)
     {
-      const bool isTaken = ofOthersToo || !this->Others.Have(static_cast<vtkIdType>(i));
-      if (isTaken && this->Own[i] != MortonKey<Dim>(0))
+      if (this->Own[i] != MortonKey<Dim>(0) && !leftOut.Have(static_cast<vtkIdType>(i)))
       {
         keys.push_back(this->Own[i]);
       }
@@ -144,8 +142,7 @@ DepthHistogram LocatedQueries<Dim>::MeasureDepths(const Execution& execution) co
   DepthHistogram depths;
   if (processes.Sum(this->Others.AreThere() ? 1U : 0U) > 0)
   {
-    constexpr bool ofOthersToo = true;
-    Keys counted = this->TakeFinite(!ofOthersToo, taking);
+    Keys counted = this->TakeFinite(this->Others, taking);
     if (processes.AreSeveral())
     {
       counted = processes.Exchange(this->Tree.Division.Deal(counted)).Values;

@@ -52,7 +52,7 @@ private:
   using Keys = std::vector<MortonKey<Dim>>;
 
   void Count(const Execution& execution);
-  Keys TakeFinite(bool ofOthersToo, const Execution& execution) const;
+  Keys TakeFinite(const DuplicatePoints& leftOut, const Execution& execution) const;
   Costs SearchWithOthers(
     const QuerySearch<Dim>& search, vtkDataSet* output, const Execution& execution) const;
   void Take(std::size_t query, const FoundQuery<Dim>& found, const QueryArrays<Dim>& arrays,
