@@ -193,13 +193,13 @@ TEST(TestHashedOctreeFilterExecution, AnOutputTypeThatIsSetMeanwhileChangesNothi
 }
 
 /** Of ten million points, merged or not. */
-class TestHashedOctreeFilterAbort : public ::testing::TestWithParam<bool>
+class TestHashedOctreeFilterExecutionAbort : public ::testing::TestWithParam<bool>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(Merging, TestHashedOctreeFilterAbort, ::testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Merging, TestHashedOctreeFilterExecutionAbort, ::testing::Bool());
 
-TEST_P(TestHashedOctreeFilterAbort, IsNeverHeededLate)
+TEST_P(TestHashedOctreeFilterExecutionAbort, IsNeverHeededLate)
 {
   // One thread has the longest way from one look at the abort flag to the next. The abort at the
   // end adds the time that it takes to free what was made until then. Two runs report the same:
