@@ -42,12 +42,11 @@
  * -1, LeafDepth -1, LeafKey 0 and costs 0; one warning tells how many there are in all blocks, and
  * means leave them out (0 where no query is left). Queries that are another piece's (vtkGhostType
  * has DUPLICATEPOINT) get their arrays; means and warning leave them out. Field data of both
- * outputs,
- * one value each: StartDepth (the chosen one), MeanHitCost (over the queries), BestStartDepth (the
- * one with the least mean cost for these queries, the smallest of equals; 0 where none is left),
- * SkippedPoints (of the tree: not finite, or too large). All outputs keep the field data of the
- * points, and output 0, like a composite output of composite queries, that of the queries; of
- * arrays of one name it keeps its own, then the queries'.
+ * outputs, one value each: StartDepth (the chosen one), MeanHitCost (over the queries),
+ * BestStartDepth (the one with the least mean cost for these queries, the smallest of equals; 0
+ * where none is left), SkippedPoints (of the tree: not finite, or too large). All outputs keep the
+ * field data of the points, and output 0, like a composite output of composite queries, that of the
+ * queries; of arrays of one name it keeps its own, then the queries'.
  *
  * Output port 1, vtkTable, a row for each way to search: Root, Median, Mean, Fixed (if chosen),
  * Local, Decision tree, Best for these queries (from BestStartDepth), and last Entropy bound: no

@@ -7,6 +7,7 @@
 #include <immintrin.h>
 #endif
 
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -17,8 +18,20 @@ namespace
 constexpr std::size_t Width = 4; // Coordinates at a time.
 using Doubles = Lanes<double, Width>;
 
-/** Dim vectors hold the coordinates of Width positions as they stand, so that each lane always has
- * the same axis. */
+/** For each coordinate of Width positions as they stand, of whatever axis, the one of the lower
+ * corner of the grid. */
+template <int Dim>
+std::array<double, Dim * Width> RepeatLower(const Grid<Dim>& grid)
+{
+  std::array<double, Dim * Width> lower;
+  for (std::size_t i = 0; i < lower.size(); ++i)
+  {
+    lower[i] = grid.GetLower()[i % Dim];
+  }
+  return lower;
+}
+
+/** Of `count` positions, a multiple of Width. */
 template <int Dim, typename Real>
 void ComputeCells(
   const Grid<Dim>& grid, const Real* coordinates, std::size_t count, Cell<Dim>* cells)
@@ -28,12 +41,8 @@ void ComputeCells(
   const Doubles last = zero + (size - 1.0);
   const Doubles side = zero + grid.GetSide();
   Doubles lower[Dim];
-  for (std::size_t i = 0; i < Dim * Width; ++i)
-  {
-    lower[i / Width][i % Width] = grid.GetLower()[i % Dim];
-  }
-  std::size_t done = 0;
-  for (; done + Width <= count; done += Width)
+  std::memcpy(lower, RepeatLower<Dim>(grid).data(), sizeof(lower));
+  for (std::size_t done = 0; done < count; done += Width)
   {
     for (std::size_t i = 0; i < Dim; ++i)
     {
@@ -45,10 +54,6 @@ void ComputeCells(
       const auto cell = __builtin_convertvector(t, Lanes<std::int32_t, Width>); // Never negative.
       std::memcpy(cells[done].data() + Width * i, &cell, sizeof(cell));
     }
-  }
-  for (; done < count; ++done)
-  {
-    cells[done] = grid.GetCell(coordinates + Dim * done);
   }
 }
 
@@ -79,12 +84,8 @@ HASHEDOCTREE_WITH_AVX2 void ComputeCellsByProducts(
   const __m256d last = _mm256_set1_pd(std::nextafter(grid.GetSide(), 0.0)); // In the last cell.
   const __m256d inverse = _mm256_set1_pd(1.0 / grid.GetSide());
   __m256d lower[Dim];
-  for (std::size_t i = 0; i < Dim * Width; ++i)
-  {
-    lower[i / Width][i % Width] = grid.GetLower()[i % Dim];
-  }
-  std::size_t done = 0;
-  for (; done + Width <= count; done += Width)
+  std::memcpy(lower, RepeatLower<Dim>(grid).data(), sizeof(lower));
+  for (std::size_t done = 0; done < count; done += Width)
   {
     for (std::size_t i = 0; i < Dim; ++i)
     {
@@ -97,12 +98,21 @@ HASHEDOCTREE_WITH_AVX2 void ComputeCellsByProducts(
       std::memcpy(cells[done].data() + Width * i, &cell, sizeof(cell));
     }
   }
-  for (; done < count; ++done)
-  {
-    cells[done] = grid.GetCell(coordinates + Dim * done);
-  }
 }
 #endif
+
+/** The last positions, fewer than Width, one by one; returns how many are before them. */
+template <int Dim, typename Real>
+std::size_t ComputeLastCells(
+  const Grid<Dim>& grid, const Real* coordinates, std::size_t count, Cell<Dim>* cells)
+{
+  const std::size_t before = count - count % Width;
+  for (std::size_t i = before; i < count; ++i)
+  {
+    cells[i] = grid.GetCell(coordinates + Dim * i);
+  }
+  return before;
+}
 }
 
 template <int Dim, typename Real>
@@ -112,18 +122,20 @@ void GetCells(const Grid<Dim>& grid, const Real* coordinates, std::size_t count,
   const double side = grid.GetSide();
   if (HasAvx2() && LeastSideOfProducts <= side && side <= MostSideOfProducts)
   {
-    ComputeCellsByProducts<Dim>(grid, coordinates, count, cells);
+    const std::size_t before = ComputeLastCells<Dim>(grid, coordinates, count, cells);
+    ComputeCellsByProducts<Dim>(grid, coordinates, before, cells);
     return;
   }
 #endif
-  ComputeCells<Dim>(grid, coordinates, count, cells);
+  GetCellsPlainly<Dim>(grid, coordinates, count, cells);
 }
 
 template <int Dim, typename Real>
 void GetCellsPlainly(
   const Grid<Dim>& grid, const Real* coordinates, std::size_t count, Cell<Dim>* cells)
 {
-  ComputeCells<Dim>(grid, coordinates, count, cells);
+  const std::size_t before = ComputeLastCells<Dim>(grid, coordinates, count, cells);
+  ComputeCells<Dim>(grid, coordinates, before, cells);
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

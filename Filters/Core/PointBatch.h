@@ -81,22 +81,10 @@ public:
       {
         const double begin = done;
         done += static_cast<double>(slice.Order.GetCount()) / all;
-        const Execution execution = this->Copying.Part(begin, done);
-        execution.ForChunks(slice.Order.GetCount(), Grain,
-          [&](std::size_t chunk, std::size_t first, std::size_t last)
-          {
-            const FoundPoint* point = slice.Chunks[chunk].data();
-            for (std::size_t place = first; place < last; ++place)
-            {
-              execution.HeedStop();
-              const std::size_t i = slice.Order[place];
-              for (std::size_t at = this->Offsets[i]; at < this->Offsets[i + 1]; ++at, ++point)
-              {
-                ids[at] = static_cast<Id>(point->Id);
-                dist2[at] = point->Dist2;
-              }
-            }
-          });
+        this->Copying.Part(begin, done)
+          .ForChunks(slice.Order.GetCount(), Grain,
+            [&](std::size_t chunk, std::size_t first, std::size_t last)
+            { this->CopyPlaces(slice, slice.Chunks[chunk].data(), first, last, ids, dist2); });
       }
     }
 
@@ -111,6 +99,23 @@ public:
       : Offsets(numberOfPositions + 1, 0)
       , Copying(std::move(copying))
     {
+    }
+
+    /** Writes what was found for the positions at some places of an order, `found` on. */
+    template <typename Id>
+    void CopyPlaces(const Slice& slice, const FoundPoint* found, std::size_t first,
+      std::size_t last, Id* ids, double* dist2) const
+    {
+      for (std::size_t place = first; place < last; ++place)
+      {
+        this->Copying.HeedStop();
+        const std::size_t i = slice.Order[place];
+        for (std::size_t at = this->Offsets[i]; at < this->Offsets[i + 1]; ++at, ++found)
+        {
+          ids[at] = static_cast<Id>(found->Id);
+          dist2[at] = found->Dist2;
+        }
+      }
     }
 
     std::vector<std::size_t> Offsets;
