@@ -18,10 +18,11 @@ public:
   /** An array of marks that does not have one for each point marks none. */
   explicit DuplicatePoints(vtkDataSet* dataSet)
   {
-    if (dataSet->HasAnyGhostPoints() &&
-      dataSet->GetPointGhostArray()->GetNumberOfValues() == dataSet->GetNumberOfPoints())
+    vtkUnsignedCharArray* marks = dataSet->GetPointGhostArray();
+    if (dataSet->HasAnyGhostPoints() && marks->GetNumberOfComponents() == 1 &&
+      marks->GetNumberOfTuples() == dataSet->GetNumberOfPoints())
     {
-      this->Marks = dataSet->GetPointGhostArray();
+      this->Marks = marks;
     }
   }
 

@@ -11,6 +11,11 @@
 
 namespace hashedoctree
 {
+namespace
+{
+constexpr const char* KeysName = "MortonKey";
+}
+
 template <int Dim>
 void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   const Buffer<typename Octree<Dim>::Node>& nodes, vtkCellData* cellData,
@@ -21,7 +26,7 @@ void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   const auto hitCosts = MakeArray<vtkIntArray>("HitCost", size);
   const auto rootCosts = MakeArray<vtkIntArray>("RootCost", size);
   const auto pointCounts = MakeArray<vtkTypeInt64Array>("PointCount", size);
-  const auto keys = MakeArray<vtkTypeUInt64Array>("MortonKey", size);
+  const auto keys = MakeArray<vtkTypeUInt64Array>(KeysName, size);
   constexpr std::size_t grain = 512; // Nodes that a thread describes at a time.
   execution.ForEach(size, grain,
     [&](std::size_t i)
@@ -43,6 +48,11 @@ void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   cellData->AddArray(pointCounts);
   cellData->AddArray(keys);
   cellData->SetActiveScalars("Depth");
+}
+
+bool HaveNodeArrays(vtkCellData* cellData)
+{
+  return vtkTypeUInt64Array::FastDownCast(cellData->GetAbstractArray(KeysName)) != nullptr;
 }
 
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \

@@ -19,6 +19,9 @@ template <int Dim>
 void AddNodeArrays(const Octree<Dim>& tree, int startDepth,
   const Buffer<typename Octree<Dim>::Node>& nodes, vtkCellData* cellData,
   const Execution& execution);
+
+/** Whether cells have these arrays, so that their points are corners of nodes. */
+bool HaveNodeArrays(vtkCellData* cellData);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "DistinctKeys.h"
 #include "DistributedOctree.h"
 #include "KeyedPoints.h"
+#include "NodeArrays.h"
 #include "OctreeHyperTree.h"
 #include "PassFieldData.h"
 #include "PointsAdaptor.h"
@@ -168,7 +169,7 @@ void OctreePass::ExecuteAny(
     }
   }
   this->Met = this->Met.SumOf(this->Processes);
-  this->TellOfUnusedPoints();
+  this->TellOfPoints();
 }
 
 void OctreePass::ProcessBlocks(vtkDataObjectTree* input, const Targets& targets,
@@ -214,6 +215,7 @@ OctreePass::Outputs OctreePass::Process(
   const bool isImplicit =
     data != nullptr && input == nothing && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
   this->ImplicitBlocks += this->Processes.Max(isImplicit ? 1 : 0);
+  this->MetCorners = this->MetCorners || HaveNodeArrays(input->GetCellData());
   const std::optional<AnyPointsOctree> octree = this->Build(input, execution);
   Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};
   for (vtkDataObject* output : outputs)
@@ -290,7 +292,7 @@ OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)
   return ports;
 }
 
-void OctreePass::TellOfUnusedPoints() const
+void OctreePass::TellOfPoints() const
 {
   const std::uint64_t all = this->Met.Own + this->Met.Others;
   if (this->ImplicitBlocks > 0 && all == 0 && this->Processes.HaveAll())
@@ -312,6 +314,12 @@ void OctreePass::TellOfUnusedPoints() const
       << "Blocks left out because their points have no coordinates of their own, as those of "
          "images: "
       << this->ImplicitBlocks << ". vtkConvertToPointCloud gives them some.");
+  }
+  if (this->MetCorners)
+  {
+    vtkWarningWithObjectMacro(this->Algorithm,
+      "The points of the input are the corners of the cells of an octree; for a tree of the points "
+      "that it was built of, take these as input.");
   }
 }
 }

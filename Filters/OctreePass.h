@@ -48,7 +48,8 @@ public:
 
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
-   * finite, and once of blocks without coordinates of their own. Throws Interrupted, and
+   * finite, once of blocks without coordinates of their own, and once of corners of an octree's
+   * cells. Throws Interrupted, and
    * std::exception with what to tell the user, also when there are no other blocks with points,
    * unless other pieces may have some. */
   template <typename Function>
@@ -84,13 +85,14 @@ private:
    * none. */
   std::optional<Box<3>> FindRoot(const PointSelection<3>& selection) const;
   /** Of what all processes have met together. Throws std::invalid_argument. */
-  void TellOfUnusedPoints() const;
+  void TellOfPoints() const;
 
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;
   std::optional<Box<3>> Root;
   PointCounts Met;                  ///< By this process, and in the end by all processes.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
+  bool MetCorners = false;          ///< Of an octree's cells.
 };
 }
 

@@ -5,6 +5,8 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 
+#include <stdexcept>
+
 namespace hashedoctree
 {
 namespace
@@ -33,7 +35,13 @@ PointsAdaptor::PointsAdaptor(vtkDataSet* dataSet, const Execution& execution)
     this->CopyPoints([dataSet](vtkIdType id, double* x) { dataSet->GetPoint(id, x); }, execution);
     return;
   }
-  this->ViewOrCopy(pointSet->GetPoints()->GetData(), execution);
+  vtkDataArray* data = pointSet->GetPoints()->GetData();
+  if (this->Count > 0 && data->GetNumberOfComponents() != 3)
+  {
+    throw std::invalid_argument(
+      "The array of the points must have three components, one tuple for each point.");
+  }
+  this->ViewOrCopy(data, execution);
 }
 
 PointsAdaptor::PointsAdaptor(vtkDataArray* data, const Execution& execution)

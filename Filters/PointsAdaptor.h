@@ -19,7 +19,8 @@ namespace hashedoctree
 class PointsAdaptor
 {
 public:
-  /** Throws Interrupted and std::bad_alloc while it copies. */
+  /** Throws Interrupted and std::bad_alloc while it copies, and std::invalid_argument where the
+   * points have an array of more or fewer than three components. */
   PointsAdaptor(vtkDataSet* dataSet, const Execution& execution);
   PointsAdaptor(vtkDataArray* data, const Execution& execution);
 

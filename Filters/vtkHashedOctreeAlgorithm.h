@@ -8,7 +8,9 @@
  * itself, and the outputs are then composite data sets of its structure and, unless they are of
  * tables, of its kind, where the filter does not say otherwise. Blocks that have points but are no
  * vtkPointSets, as images, are left out with one warning; it is an error if there are no others
- * with points. Abstract.
+ * with points, and if an array of points has more or fewer than three components. The corners of an
+ * octree's cells, an output of these filters, are taken as other points are, but with one warning.
+ * Abstract.
  *
  * The tree is an octree or, of points in a plane across an axis, a quadtree: a square in two of the
  * coordinates, split into four. Its cells lie in the plane through the lowest third coordinate of

@@ -35,6 +35,8 @@
  * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
  *   double (4.49e307), are never found; each build that meets some says so in one warning with
  *   their number, when it is done.
+ * - Points whose array has more or fewer than three components are an error of each build, and then
+ *   there are none.
  * - Ghost points and hidden ones (vtkGhostType) are points like all others.
  * - One point, points that are all equal, few points far from many: all as above. Leaves at depth
  *   21 with more than four times as many points as they may hold (at least 32) have trees of their

@@ -199,18 +199,23 @@ def summary(path, figures):
 
 # ---- Octree in space ------------------------------------------------------------------------------------------------
 
-class Stage:
-    """Where the leaves are and from where to look at them; all in the units of the data."""
+def find_height_axis(source, path):
+    """Meshes in these formats mostly stand along y, scans and all else along z."""
+    may_be_object = os.path.splitext(path)[1].lower() in (".obj", ".ply", ".gltf", ".glb")
+    return 1 if may_be_object and source.GetDataInformation().GetNumberOfCells() > 0 else 2
 
-    def __init__(self, bounds, path):
+
+class Stage:
+    """Where the leaves are and from where to look at them; all in the units of the data. What is flat lies, whatever
+    else is said of its heights."""
+
+    def __init__(self, bounds, height_axis=2):
         low, high = np.array(bounds).reshape(3, 2).T
         extent = high - low
         self.middle, self.side = (low + high) / 2, max(extent) or 1.0
         thin = int(np.argmin(extent))
         self.flat = 0 < max(extent) and extent[thin] < self.side / 4
-        # Heights are along the thin axis of what is flat; objects in these formats mostly stand along y.
-        is_object = os.path.splitext(path)[1].lower() in (".obj", ".ply", ".gltf", ".glb")
-        up_axis = thin if self.flat else (1 if is_object else 2)
+        up_axis = thin if self.flat else height_axis
         back_axis = 2 if up_axis == 1 else 1
         self.up = np.eye(3)[up_axis]
         self.front = np.eye(3)[back_axis] * (1 if up_axis == 1 else -1)
@@ -500,7 +505,7 @@ def show(path):
     layout = simple.GetLayout(view)
     layout.SplitHorizontal(0, 0.55)
     layout.SplitVertical(2, 0.5)
-    stage = Stage(octree.GetDataInformation().GetBounds(), path)
+    stage = Stage(octree.GetDataInformation().GetBounds(), find_height_axis(source, path))
     set_colors("Depth", *octree.CellData["Depth"].GetRange(), may_change=True)
     shown = show_occupied(octree, view, figures, stage.shows_edges(figures, view.ViewSize[1]))
     shown.SetScalarBarVisibility(view, True)
@@ -521,7 +526,8 @@ def write_all(path, folder):
         with tempfile.TemporaryDirectory(dir=folder) as unfinished:
             # Charts first: after pictures of layouts, ParaView leaves traces of earlier text in them.
             chart_pictures(unfinished, octree, figures)
-            octree_pictures(unfinished, Stage(octree.GetDataInformation().GetBounds(), path), source, octree, figures)
+            stage = Stage(octree.GetDataInformation().GetBounds(), find_height_axis(source, path))
+            octree_pictures(unfinished, stage, source, octree, figures)
             write_csv(os.path.join(unfinished, "depth-histogram.csv"), table(octree, 1))
             write_csv(os.path.join(unfinished, "cost-curves.csv"), table(octree, 2))
             for name in os.listdir(unfinished):

@@ -40,7 +40,7 @@ class PointSet:
         self.octree = demo.apply_octree(self.source, path)
         self.figures = demo.field_data(self.octree)
         self.histogram, self.costs = demo.table(self.octree, 1), demo.table(self.octree, 2)
-        self.stage = demo.Stage(self.octree.GetDataInformation().GetBounds(), path)
+        self.stage = demo.Stage(self.octree.GetDataInformation().GetBounds())
 
     def __str__(self):
         return f"{self.name} ({len(self.points):,} points, for the paper's {self.paper_name})"

@@ -179,6 +179,41 @@ TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreLeftOut)
     filter.Update();
     EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 420) << marks;
   }
+  ghosts->SetNumberOfComponents(2);
+  ghosts->SetNumberOfTuples(210); // As many values as points.
+  ghosts->FillValue(vtkDataSetAttributes::DUPLICATEPOINT);
+  filter->Modified();
+  filter.Update();
+  EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 420);
+}
+
+TEST(TestHashedOctreeFilterBadInput, PointsWithoutThreeCoordinatesAreAnError)
+{
+  for (const int components : { 1, 2, 4 })
+  {
+    const auto input = MakePolyData(MakeUniformPoints<3, double>(48, 51));
+    input->GetPoints()->GetData()->SetNumberOfComponents(components);
+    TestedFilter filter;
+    filter->SetInputData(input);
+    filter.UpdateInError("three components");
+    ExpectToWorkAgain(filter);
+  }
+}
+
+TEST(TestHashedOctreeFilterBadInput, CornersOfCellsOfAnOctreeAreTakenWithAWarning)
+{
+  for (const int outputType : { vtkHashedOctreeFilter::Voxels, vtkHashedOctreeFilter::Outlines })
+  {
+    TestedFilter first(MakeUniformPoints<3, double>(50, 52));
+    first->SetOutputType(outputType);
+    first.Update();
+    EXPECT_EQ(first.Warnings, std::vector<std::string>());
+    TestedFilter second;
+    second->SetInputData(first.GetCells());
+    second.Update();
+    second.ExpectWarning("corners");
+    EXPECT_EQ(second.GetFieldValue("NumberOfPoints"), first.GetCells()->GetNumberOfPoints());
+  }
 }
 
 TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreCountedThere)

@@ -68,6 +68,22 @@ TEST(TestHashedOctreePointLocatorEdges, NothingToPutAnswersIntoIsAnError)
   locator.Errors.clear();
 }
 
+TEST(TestHashedOctreePointLocatorEdges, PointsWithoutThreeCoordinatesAreAnError)
+{
+  for (const int components : { 1, 2, 4 })
+  {
+    const auto cloud = MakePolyData<float>({ 0, 0, 0, 5, 0, 0, 0, 5, 0, 0, 0, 5 });
+    cloud->GetPoints()->GetData()->SetNumberOfComponents(components);
+    TestedLocator locator(cloud);
+    EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), -1);
+    locator.ExpectError("three components");
+    locator.ExpectToFindNothing();
+    cloud->GetPoints()->GetData()->SetNumberOfComponents(3);
+    cloud->Modified();
+    EXPECT_EQ(locator->FindClosestPoint(4, 0, 0), 1);
+  }
+}
+
 TEST(TestHashedOctreePointLocatorEdges, GhostAndHiddenPointsAreLikeAllOthers)
 {
   const auto cloud = MakePolyData<float>({ 0, 0, 0, 1, 0, 0, 2, 0, 0 });

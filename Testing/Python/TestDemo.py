@@ -69,6 +69,12 @@ flat = np.column_stack((random.random((900, 2)), np.zeros(900)))
 expect_demo(write_points("twins.vtp", np.repeat(random.random((300, 3)), 2, axis=0)), 300)
 expect_demo(write_points("flat twins.vtp", np.repeat(flat, 2, axis=0)), 900)
 
+# A scan stands along z, a mesh in the same format along y.
+for sphere, height_axis in (demo.simple.Sphere(), 1), (demo.simple.PointSource(NumberOfPoints=50), 2):
+    ply = os.path.join(folder, "sphere.ply")
+    demo.simple.SaveData(ply, demo.simple.ExtractSurface(Input=sphere))
+    assert demo.find_height_axis(demo.read_points(ply), ply) == height_axis, height_axis
+
 # Rows of a table, of whatever columns ParaView or a scanner writes.
 for first_line in ("Intensity,X,Y,Z", "a, x, y, z", "x,y,z,Points:3", "Points:0,Points:1,Points:2,a",
                    "Points_0,Points_1,Points_2,a"):
