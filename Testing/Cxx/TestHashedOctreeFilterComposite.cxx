@@ -29,6 +29,20 @@ Composite* GetOutput(TestedFilter& filter, int port)
 }
 }
 
+TEST(TestHashedOctreeFilterComposite, CornersOfAnOctreeInSomeBlocksAreOneWarning)
+{
+  const auto points = MakeUniform(100, 49);
+  const auto octree = MakeOutputsOf(points)[0];
+  vtkNew<vtkMultiBlockDataSet> input;
+  input->SetBlock(0, octree);
+  input->SetBlock(1, octree);
+  input->SetBlock(2, points);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.UpdateWithoutErrors();
+  filter.ExpectWarning("corners");
+}
+
 TEST(TestHashedOctreeFilterComposite, EachBlockOfAMultiBlockHasItsTree)
 {
   const auto first = MakeUniform(100, 50);
