@@ -206,8 +206,8 @@ def find_height_axis(source, path):
 
 
 class Stage:
-    """Where the leaves are and from where to look at them; all in the units of the data. Heights are along the thin axis
-    of what is flat, else along `height_axis`."""
+    """Where the leaves are and from where to look at them; all in the units of the data. Heights are along the thin
+    axis of what is flat, else along `height_axis`."""
 
     def __init__(self, bounds, height_axis=2):
         low, high = np.array(bounds).reshape(3, 2).T
