@@ -318,8 +318,8 @@ void OctreePass::TellOfPoints() const
   if (this->MetCorners)
   {
     vtkWarningWithObjectMacro(this->Algorithm,
-      "The points of the input are the corners of the cells of an octree; for a tree of the points "
-      "that it was built of, take these as input.");
+      "The points of the input are the corners of an octree's cells. For a tree of the original "
+      "points connect the data that this octree was built from.");
   }
 }
 }
