@@ -169,6 +169,7 @@ void OctreePass::ExecuteAny(
     }
   }
   this->Met = this->Met.SumOf(this->Processes);
+  this->MetCorners = this->Processes.Max(this->MetCorners ? 1 : 0) > 0;
   this->TellOfPoints();
 }
 

@@ -49,9 +49,8 @@ public:
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
    * finite, once of blocks without coordinates of their own, and once of corners of an octree's
-   * cells. Throws Interrupted, and
-   * std::exception with what to tell the user, also when there are no other blocks with points,
-   * unless other pieces may have some. */
+   * cells. Throws Interrupted, and std::exception with what to tell the user, also when there are
+   * no other blocks with points, unless other pieces may have some. */
   template <typename Function>
   void Execute(vtkDataObject* input, const Targets& targets, const Function& makeOutputs)
   {

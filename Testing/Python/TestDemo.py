@@ -70,9 +70,9 @@ expect_demo(write_points("twins.vtp", np.repeat(random.random((300, 3)), 2, axis
 expect_demo(write_points("flat twins.vtp", np.repeat(flat, 2, axis=0)), 900)
 
 # A scan stands along z, a mesh in the same format along y.
-for sphere, height_axis in (demo.simple.Sphere(), 1), (demo.simple.PointSource(NumberOfPoints=50), 2):
-    ply = os.path.join(folder, "sphere.ply")
-    demo.simple.SaveData(ply, demo.simple.ExtractSurface(Input=sphere))
+for scene, height_axis in (demo.simple.Sphere(), 1), (demo.simple.PointSource(NumberOfPoints=50), 2):
+    ply = os.path.join(folder, "scene.ply")
+    demo.simple.SaveData(ply, demo.simple.ExtractSurface(Input=scene))
     assert demo.find_height_axis(demo.read_points(ply), ply) == height_axis, height_axis
 
 # Rows of a table, of whatever columns ParaView or a scanner writes.

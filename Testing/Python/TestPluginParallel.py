@@ -361,6 +361,11 @@ for points, properties, words in ((holes, {}, f"{len(holes[::7])} of {len(holes)
     run(make_points(points[rank::PROCESSES]), PROCESSES, warnings, **properties)
     assert len(warnings) == (1 if rank == 0 else 0), warnings
     assert all(words in warning for warning in warnings), warnings
+# Also where only another process than the first meets what is warned of.
+warnings = []
+run(run(make_points(cube), 1)[0] if rank == 2 else make_points(cube), PROCESSES, warnings)
+assert len(warnings) == (1 if rank == 0 else 0), warnings
+assert all("corners" in warning for warning in warnings), warnings
 
 # And one process that is aborted.
 octree = vtkHashedOctreeFilter()
