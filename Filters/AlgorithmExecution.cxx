@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 
 namespace hashedoctree
 {
@@ -37,26 +40,34 @@ void RunOnThreads(
   // What leaves a thread of vtkSMPTools ends the program, or is lost, depending on the version.
   std::atomic<bool> failed{ false };
   std::exception_ptr error;
-  vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
-    std::max(static_cast<vtkIdType>(grain), count / parts),
-    [&](vtkIdType from, vtkIdType to)
+  const auto runPart = [&](vtkIdType from, vtkIdType to)
+  {
+    if (failed)
     {
-      if (failed)
+      return;
+    }
+    try
+    {
+      body(static_cast<std::size_t>(from), static_cast<std::size_t>(to));
+    }
+    catch (...)
+    {
+      if (!failed.exchange(true))
       {
-        return;
+        error = std::current_exception();
       }
-      try
-      {
-        body(static_cast<std::size_t>(from), static_cast<std::size_t>(to));
-      }
-      catch (...)
-      {
-        if (!failed.exchange(true))
-        {
-          error = std::current_exception();
-        }
-      }
-    });
+    }
+  };
+  try
+  {
+    vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
+      std::max(static_cast<vtkIdType>(grain), count / parts), runPart);
+  }
+  catch (const std::system_error& noThread)
+  {
+    throw std::runtime_error(std::string("vtkSMPTools cannot start a thread (") + noThread.what() +
+      "); free memory, or choose its backend Sequential.");
+  }
   if (error)
   {
     std::rethrow_exception(error);

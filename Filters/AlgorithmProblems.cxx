@@ -8,10 +8,25 @@
 
 #include <exception>
 #include <new>
-#include <string>
 
 namespace hashedoctree
 {
+std::string DescribeProblem(const char* ofMemory)
+{
+  try
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return ofMemory;
+  }
+  catch (const std::exception& exception)
+  {
+    return exception.what();
+  }
+}
+
 void ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
 {
   std::string problem;
@@ -22,15 +37,10 @@ void ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
   catch (const Interrupted&)
   {
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&)
   {
-    problem =
-      "There is not enough memory for the octree and what is made of it; take fewer points, raise "
-      "MaxPointsPerLeaf or lower MaxDepth.";
-  }
-  catch (const std::exception& exception)
-  {
-    problem = exception.what();
+    problem = DescribeProblem("There is not enough memory for the octree and what is made of it; "
+                              "take fewer points, raise MaxPointsPerLeaf or lower MaxDepth.");
   }
   for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
   {

@@ -5,8 +5,14 @@
 #include "vtkAlgorithm.h"
 #include "vtkInformationVector.h"
 
+#include <string>
+
 namespace hashedoctree
 {
+/** What to tell the user of the std::exception that is being handled: `ofMemory` where there was
+ * not enough of it. Private to the module. */
+std::string DescribeProblem(const char* ofMemory);
+
 /**
  * What a RequestData() does about the exception that is being handled: Interrupted when the
  * algorithm was aborted, else a std::exception with what to tell the user, which becomes one error

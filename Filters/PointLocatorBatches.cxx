@@ -3,6 +3,7 @@
 #include "vtkHashedOctreePointLocator.h"
 
 #include "AlgorithmExecution.h"
+#include "AlgorithmProblems.h"
 #include "BatchArrays.h"
 #include "PointBatch.h"
 #include "PointLocatorIndex.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <new>
 
 using namespace hashedoctree;
 
@@ -63,12 +63,6 @@ bool vtkHashedOctreePointLocator::RunBatch(
     }
     return false;
   }
-  const auto fail = [this, outputs](const char* problem)
-  {
-    Empty(outputs);
-    vtkErrorMacro(<< problem);
-    return false;
-  };
   try
   {
     const Execution execution = MakeExecution(this, stop);
@@ -83,13 +77,13 @@ bool vtkHashedOctreePointLocator::RunBatch(
     TellOfChange(outputs);
     return true;
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&)
   {
-    return fail("There is not enough memory for what the batch finds; ask for less at a time.");
-  }
-  catch (const std::exception& exception)
-  {
-    return fail(exception.what());
+    Empty(outputs);
+    vtkErrorMacro(
+      << DescribeProblem(
+           "There is not enough memory for what the batch finds; ask for less at a time."));
+    return false;
   }
   catch (const Interrupted&)
   {

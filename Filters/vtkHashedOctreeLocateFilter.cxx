@@ -24,7 +24,9 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include <new>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -136,11 +138,26 @@ private:
     for (vtkDataSet* block : blocks)
     {
       const auto ofBlock =
-        this->Locate(octree, search, block, execution.Part(begin, begin + share));
+        this->LocateBlock(octree, search, block, execution.Part(begin, begin + share));
       outputs.insert(outputs.end(), ofBlock.begin(), ofBlock.end());
       begin += share;
     }
     return outputs;
+  }
+
+  template <int Dim>
+  OctreePass::Outputs LocateBlock(const PointsOctree<Dim>& octree, QuerySearch<Dim>& search,
+    vtkDataSet* queries, const Execution& execution)
+  {
+    try
+    {
+      return this->Locate(octree, search, queries, execution);
+    }
+    catch (const std::bad_alloc&)
+    {
+      throw std::runtime_error(
+        "There is not enough memory to locate the queries; take fewer of them.");
+    }
   }
 
   /** `queries` is null where another process has the block. */

@@ -2,6 +2,7 @@
 #include "vtkHashedOctreePointLocator.h"
 
 #include "AlgorithmExecution.h"
+#include "AlgorithmProblems.h"
 #include "DirectSearch.h"
 #include "FoundOfThread.h"
 #include "NodeList.h"
@@ -193,22 +194,15 @@ void vtkHashedOctreePointLocator::BuildIndex()
 {
   this->FreeSearchStructure();
   auto index = std::make_shared<Index>();
-  const auto fail = [&index](const char* problem)
-  {
-    *index = Index(); // Makes room for the text, too.
-    index->Problem = problem;
-  };
   try
   {
     this->Fill(*index);
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&)
   {
-    fail("There is not enough memory for the index of the points; take fewer of them.");
-  }
-  catch (const std::exception& exception)
-  {
-    fail(exception.what());
+    *index = Index(); // Makes room for the text, too.
+    index->Problem = DescribeProblem(
+      "There is not enough memory for the index of the points; take fewer of them.");
   }
   index->Watch(this->DataSet);
   if (index->Bounds)
@@ -459,10 +453,11 @@ void vtkHashedOctreePointLocator::GenerateRepresentation(int level, vtkPolyData*
       .MakeOutlines(boxes, MakeExecution());
     pd->ShallowCopy(boxes);
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&)
   {
     pd->Initialize();
-    vtkErrorMacro("There is not enough memory for the boxes; ask for a smaller level.");
+    vtkErrorMacro(<< DescribeProblem(
+                    "There is not enough memory for the boxes; ask for a smaller level."));
   }
 }
 

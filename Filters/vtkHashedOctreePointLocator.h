@@ -61,11 +61,11 @@
  * nothing is modified. (Update() is not enough: it does not always build. And if you give the
  * locator to vtkPointSet::SetPointLocator(), call SetDataSet() as well.) The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
- * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
- * memory, is an error (to tell of it takes a little, too). Until the next build, as after
- * Modified(), queries then find nothing, and batches are the same error again. A query that has not
- * enough memory for what it finds is an error, too, and finds nothing; so is one without a list to
- * put its ids into.
+ * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, not enough memory,
+ * or a thread that cannot be started is an error. (To tell of it takes a kilobyte, too; without it
+ * std::bad_alloc is thrown.) Until the next build, as after Modified(), queries then find nothing,
+ * and batches are the same error again. A query that has not enough memory for what it finds is an
+ * error, too, and finds nothing; so is one without a list to put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones

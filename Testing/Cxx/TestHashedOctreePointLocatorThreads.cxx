@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Queries from many threads at once, and builds on many.
+#include "NoMoreThreads.h"
 #include "PointSamples.h"
 #include "Sanitized.h"
 #include "TestedLocator.h"
@@ -11,7 +12,9 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
 
 #include <array>
 #include <atomic>
@@ -275,4 +278,41 @@ TEST(TestHashedOctreePointLocatorThreads, DataSetsAreReadOnTheCallersThreadAndTh
   vtkSMPTools::Initialize(0);
   EXPECT_EQ(image->FirstReader, std::this_thread::get_id());
   EXPECT_EQ(image->HasOtherReaders, hasThreads) << "one processor has no others";
+}
+
+TEST(TestHashedOctreePointLocatorThreads, AThreadThatCannotBeStartedIsAnError)
+{
+  if (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0))
+  {
+    GTEST_SKIP() << "threads of this VTK stay once they are started";
+  }
+  const auto cloud = MakeUniform(100000, 47);
+  TestedLocator locator(cloud);
+  vtkSMPTools::SetBackend("STDThread");
+  vtkSMPTools::Initialize(2);
+  {
+    const NoMoreThreads limit;
+    locator->BuildLocator();
+  }
+  ASSERT_NO_FATAL_FAILURE(locator.ExpectError("cannot start a thread"));
+  ASSERT_NO_FATAL_FAILURE(locator.ExpectToFindNothing());
+  locator->ForceBuildLocator();
+
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  vtkNew<vtkPolyData> leaves;
+  {
+    const NoMoreThreads limit;
+    EXPECT_FALSE(locator->FindClosestPoints(cloud->GetPoints()->GetData(), ids, dist2));
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectError("cannot start a thread"));
+    locator->GenerateRepresentation(-1, leaves);
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectError("cannot start a thread"));
+  }
+  EXPECT_EQ(ids->GetNumberOfValues(), 0);
+  EXPECT_EQ(dist2->GetNumberOfValues(), 0);
+  EXPECT_EQ(leaves->GetNumberOfCells(), 0);
+  EXPECT_TRUE(locator->FindClosestPoints(cloud->GetPoints()->GetData(), ids, dist2));
+  locator->GenerateRepresentation(-1, leaves);
+  EXPECT_GT(leaves->GetNumberOfCells(), 0);
+  vtkSMPTools::Initialize(0);
 }
