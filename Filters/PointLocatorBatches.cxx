@@ -11,6 +11,8 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <exception>
@@ -25,9 +27,12 @@ constexpr double PositionsShare = 0.05; // Of the progress, while positions are 
 bool vtkHashedOctreePointLocator::PrepareBatch(
   vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs)
 {
+  auto* pointSet = vtkPointSet::SafeDownCast(this->DataSet);
+  vtkPoints* points = pointSet != nullptr ? pointSet->GetPoints() : nullptr;
   for (const auto* output = outputs.begin(); output != outputs.end(); ++output)
   {
-    const bool isTaken = std::find(outputs.begin(), output, *output) != output;
+    const bool isTaken = std::find(outputs.begin(), output, *output) != output ||
+      (points != nullptr && *output == points->GetData());
     if (*output == nullptr || *output == queries || isTaken)
     {
       vtkErrorMacro("A batch needs an array of its own for each of its outputs.");

@@ -242,6 +242,19 @@ TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)
   locator.Errors.clear();
 }
 
+TEST(TestHashedOctreePointLocatorBatches, DoNotWriteOverThePoints)
+{
+  const auto cloud = MakePolyData(MakeUniformPoints<3, double>(30, 186));
+  auto* coordinates = vtkDoubleArray::SafeDownCast(cloud->GetPoints()->GetData());
+  TestedLocator locator(cloud);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> queries;
+  queries->DeepCopy(coordinates);
+  EXPECT_FALSE(locator->FindClosestPoints(queries, ids, coordinates));
+  locator.ExpectError("outputs");
+  EXPECT_EQ(coordinates->GetNumberOfTuples(), 30);
+}
+
 TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgotten)
 {
   TestedLocator locator(MakePolyData<double>({ 0, 0, 0, 1, 0, 0, 9, 0, 0 }));
