@@ -185,12 +185,12 @@ public:
    * Many searches at once, on the threads of vtkSMPTools. Every search finds the points that
    * the one of the same name for one position finds, in the order told here. `queries` has three
    * components, of any type; the other arrays get new memory, and must all be different, from
-   * `queries` and the points' coordinates, too. Fires ProgressEvent with the fraction done of all
-   * but a build; AbortBatch(), called by an observer or from another thread, ends the batches that
-   * run, after the search that a thread is at, or after the build where there is one. Returns
-   * whether all was done: if aborted, or after an error (no three components, not enough memory, a
-   * build that failed), all outputs are empty, with one component; where they are not arrays of
-   * their own, all arrays are left alone.
+   * `queries` and the coordinates of a vtkPointSet, too. Fires ProgressEvent with the fraction done
+   * of all but a build; AbortBatch(), called by an observer or from another thread, ends the
+   * batches that run, after the search that a thread is at, or after the build where there is one.
+   * Returns whether all was done: if aborted, or after an error (no three components, not enough
+   * memory, a build that failed), all outputs are empty, with one component; where they are not
+   * arrays of their own, all arrays are left alone.
    * - FindClosestPoints(): one id and squared distance for each position.
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id; one
    *   component without positions.
