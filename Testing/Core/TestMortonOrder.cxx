@@ -228,7 +228,7 @@ TEST(TestMortonOrderOfClusters, LargeOnesAreNotSortedWithoutALook)
   constexpr std::size_t clusters = 16; // Of which each would be a fair share for one thread.
   Buffer<KeyedPoint<3>> points(clusters * count);
   std::mt19937_64 random(56);
-  const std::uint64_t root = MortonKey<3>().GetFirstAtMaxDepth().GetValue();
+  const std::uint64_t root = MortonKey<3>::Root().GetFirstAtMaxDepth().GetValue();
   for (std::size_t i = 0; i < points.GetSize(); ++i)
   {
     const std::uint64_t key = root | (i % clusters) << 57U | random() >> 24U;
