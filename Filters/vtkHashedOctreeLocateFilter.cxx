@@ -145,6 +145,7 @@ private:
     return outputs;
   }
 
+  /** As Locate(); where there is not enough memory, the error is about the queries. */
   template <int Dim>
   OctreePass::Outputs LocateBlock(const PointsOctree<Dim>& octree, QuerySearch<Dim>& search,
     vtkDataSet* queries, const Execution& execution)
