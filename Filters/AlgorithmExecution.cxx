@@ -63,7 +63,7 @@ void RunOnThreads(
     vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
       std::max(static_cast<vtkIdType>(grain), count / parts), runPart);
   }
-  catch (const std::system_error& noThread)
+  catch (const std::system_error& noThread) // The first: VTK ends the program for another.
   {
     throw std::runtime_error(std::string("vtkSMPTools cannot start a thread (") + noThread.what() +
       "); free memory, or choose its backend Sequential.");

@@ -29,26 +29,19 @@ std::string DescribeProblem(const char* ofMemory)
 
 void ReportProblem(vtkAlgorithm* algorithm, vtkInformationVector* outputVector)
 {
-  std::string problem;
+  for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize(); // Makes room for the text, too.
+  }
   try
   {
-    throw;
+    const std::string problem =
+      DescribeProblem("There is not enough memory for the octree and what is made of it; take "
+                      "fewer points, raise MaxPointsPerLeaf or lower MaxDepth.");
+    vtkErrorWithObjectMacro(algorithm, << problem);
   }
   catch (const Interrupted&)
   {
-  }
-  catch (const std::exception&)
-  {
-    problem = DescribeProblem("There is not enough memory for the octree and what is made of it; "
-                              "take fewer points, raise MaxPointsPerLeaf or lower MaxDepth.");
-  }
-  for (int port = 0; port < algorithm->GetNumberOfOutputPorts(); ++port)
-  {
-    vtkDataObject::GetData(outputVector, port)->Initialize();
-  }
-  if (!problem.empty())
-  {
-    vtkErrorWithObjectMacro(algorithm, << problem);
   }
 }
 }

@@ -10,7 +10,7 @@
 namespace hashedoctree
 {
 /** What to tell the user of the std::exception that is being handled: `ofMemory` where there was
- * not enough of it. Private to the module. */
+ * not enough of it. Anything else passes through. Private to the module. */
 std::string DescribeProblem(const char* ofMemory);
 
 /**

@@ -13,6 +13,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkRectilinearGrid.h"
 
 #include <algorithm>
 #include <exception>
@@ -22,18 +23,28 @@ using namespace hashedoctree;
 namespace
 {
 constexpr double PositionsShare = 0.05; // Of the progress, while positions are read.
+
+bool HoldsCoordinates(const vtkDataArray* array, vtkDataSet* dataSet)
+{
+  if (auto* pointSet = vtkPointSet::SafeDownCast(dataSet))
+  {
+    return pointSet->GetPoints() != nullptr && array == pointSet->GetPoints()->GetData();
+  }
+  auto* grid = vtkRectilinearGrid::SafeDownCast(dataSet);
+  return grid != nullptr &&
+    (array == grid->GetXCoordinates() || array == grid->GetYCoordinates() ||
+      array == grid->GetZCoordinates());
+}
 }
 
 bool vtkHashedOctreePointLocator::PrepareBatch(
   vtkDataArray* queries, std::initializer_list<vtkDataArray*> outputs)
 {
-  auto* pointSet = vtkPointSet::SafeDownCast(this->DataSet);
-  vtkPoints* points = pointSet != nullptr ? pointSet->GetPoints() : nullptr;
   for (const auto* output = outputs.begin(); output != outputs.end(); ++output)
   {
-    const bool isTaken = std::find(outputs.begin(), output, *output) != output ||
-      (points != nullptr && *output == points->GetData());
-    if (*output == nullptr || *output == queries || isTaken)
+    const bool isTaken = *output == queries || HoldsCoordinates(*output, this->DataSet) ||
+      std::find(outputs.begin(), output, *output) != output;
+    if (*output == nullptr || isTaken)
     {
       vtkErrorMacro("A batch needs an array of its own for each of its outputs.");
       return false;

@@ -61,11 +61,12 @@
  * nothing is modified. (Update() is not enough: it does not always build. And if you give the
  * locator to vtkPointSet::SetPointLocator(), call SetDataSet() as well.) The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
- * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, not enough memory,
- * or a thread that cannot be started is an error. (To tell of it takes a kilobyte, too; without it
- * std::bad_alloc is thrown.) Until the next build, as after Modified(), queries then find nothing,
- * and batches are the same error again. A query that has not enough memory for what it finds is an
- * error, too, and finds nothing; so is one without a list to put its ids into.
+ * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
+ * memory, is an error (to tell of it takes a little, too, without which std::bad_alloc is thrown).
+ * So is a first thread that vtkSMPTools cannot start; where it cannot start another, VTK ends the
+ * program. Until the next build, as after Modified(), queries then find nothing, and batches are
+ * the same error again. A query that has not enough memory for what it finds is an error, too, and
+ * finds nothing; so is one without a list to put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
@@ -185,12 +186,12 @@ public:
    * Many searches at once, on the threads of vtkSMPTools. Every search finds the points that
    * the one of the same name for one position finds, in the order told here. `queries` has three
    * components, of any type; the other arrays get new memory, and must all be different, from
-   * `queries` and the coordinates of a vtkPointSet, too. Fires ProgressEvent with the fraction done
+   * `queries` and the coordinates of the data set, too. Fires ProgressEvent with the fraction done
    * of all but a build; AbortBatch(), called by an observer or from another thread, ends the
    * batches that run, after the search that a thread is at, or after the build where there is one.
    * Returns whether all was done: if aborted, or after an error (no three components, not enough
-   * memory, a build that failed), all outputs are empty, with one component; where they are not
-   * arrays of their own, all arrays are left alone.
+   * memory, no thread, a build that failed), all outputs are empty, with one component; where they
+   * are not arrays of their own, all arrays are left alone.
    * - FindClosestPoints(): one id and squared distance for each position.
    * - FindClosestNPoints(): `count` components for each position, by distance, then by id; one
    *   component without positions.

@@ -2,6 +2,8 @@
 #ifndef Testing_Cxx_NoMoreThreads_h
 #define Testing_Cxx_NoMoreThreads_h
 
+#include <gtest/gtest.h>
+
 #include <pthread.h>
 
 #include <cstddef>
@@ -15,9 +17,13 @@ public:
     pthread_getattr_default_np(&this->Before);
     pthread_attr_t attributes = this->Before;
     pthread_attr_setstacksize(&attributes, std::size_t(1) << 60);
-    pthread_setattr_default_np(&attributes);
+    EXPECT_EQ(pthread_setattr_default_np(&attributes), 0);
   }
-  ~NoMoreThreads() { pthread_setattr_default_np(&this->Before); }
+  ~NoMoreThreads()
+  {
+    pthread_setattr_default_np(&this->Before);
+    pthread_attr_destroy(&this->Before);
+  }
   NoMoreThreads(const NoMoreThreads&) = delete;
   void operator=(const NoMoreThreads&) = delete;
 

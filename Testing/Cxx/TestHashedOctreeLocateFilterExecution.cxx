@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MemoryLimit.h"
 #include "PointSamples.h"
 #include "SameOutputs.h"
+#include "Sanitized.h"
 #include "StopAt.h"
 #include "TestedLocateFilter.h"
 
+#include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkSMPTools.h"
 
 TEST(TestHashedOctreeLocateFilterExecution, ProgressMovesThroughTheWholeRun)
@@ -67,4 +71,26 @@ TEST(TestHashedOctreeLocateFilterExecution, AnyNumberOfThreadsGivesTheSame)
         vtkDataArray::SafeDownCast(expected.GetTable()->GetColumnByName(column)), column);
     }
   }
+}
+
+TEST(TestHashedOctreeLocateFilterExecution, TooManyQueriesAreAnErrorAboutThem)
+{
+  if (Sanitized)
+  {
+    GTEST_SKIP() << "sanitizers reserve more memory than the limit";
+  }
+  vtkNew<vtkImageData> queries;
+  queries->SetDimensions(500, 500, 500); // More than what earlier tests have freed.
+  TestedLocateFilter filter(MakeUniform(100, 369), queries);
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false }, // A thread takes more.
+    [&filter]
+    {
+      const MemoryLimit limit(16 * Megabyte);
+      filter.UpdateExpectingError("memory to locate the queries; take fewer of them");
+    });
+  EXPECT_EQ(filter.GetLocated()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(filter.GetTable()->GetNumberOfColumns(), 0);
+  filter->SetQueryPointsData(MakeUniform(20, 368));
+  filter.UpdateSilently();
+  EXPECT_EQ(filter.GetLocated()->GetNumberOfPoints(), 20);
 }

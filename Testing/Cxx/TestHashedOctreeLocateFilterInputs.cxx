@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FieldValue.h"
-#include "MemoryLimit.h"
 #include "PointSamples.h"
 #include "SameOutputs.h"
-#include "Sanitized.h"
 #include "TestedLocateFilter.h"
 
 #include "vtkDataSetAttributes.h"
@@ -12,7 +10,6 @@
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
-#include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
@@ -206,22 +203,6 @@ TEST(TestHashedOctreeLocateFilterInputs, AnEmptyPieceIsNoError)
       }
     }
   }
-}
-
-TEST(TestHashedOctreeLocateFilterInputs, TooManyQueriesAreAnErrorAboutThem)
-{
-  if (Sanitized)
-  {
-    GTEST_SKIP() << "sanitizers reserve more memory than the limit";
-  }
-  TestedLocateFilter filter(MakeUniform(100, 346), MakeUniform(1000000, 347));
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false }, // A thread takes more.
-    [&filter]
-    {
-      const MemoryLimit limit(16 * Megabyte);
-      filter.UpdateInError("memory to locate the queries; take fewer of them");
-    });
-  ExpectToWorkAgain(filter);
 }
 
 TEST(TestHashedOctreeLocateFilterInputs, QueriesThatAreNotFiniteHaveNoLeaf)

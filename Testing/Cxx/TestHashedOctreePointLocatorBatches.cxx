@@ -6,8 +6,10 @@
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
 #include "vtkSOADataArrayTemplate.h"
+#include "vtkSmartPointer.h"
 
 #include <utility>
 
@@ -253,6 +255,26 @@ TEST(TestHashedOctreePointLocatorBatches, DoNotWriteOverThePoints)
   EXPECT_FALSE(locator->FindClosestPoints(queries, ids, coordinates));
   locator.ExpectError("outputs");
   EXPECT_EQ(coordinates->GetNumberOfTuples(), 30);
+
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(2, 2, 2);
+  vtkSmartPointer<vtkDoubleArray> axes[3];
+  for (auto& axis : axes)
+  {
+    axis = vtkSmartPointer<vtkDoubleArray>::New();
+    axis->InsertNextValue(0.0);
+    axis->InsertNextValue(1.0);
+  }
+  grid->SetXCoordinates(axes[0]);
+  grid->SetYCoordinates(axes[1]);
+  grid->SetZCoordinates(axes[2]);
+  locator->SetDataSet(grid);
+  for (const auto& axis : axes)
+  {
+    EXPECT_FALSE(locator->FindClosestPoints(queries, ids, axis));
+    locator.ExpectError("outputs");
+    EXPECT_EQ(axis->GetNumberOfTuples(), 2);
+  }
 }
 
 TEST(TestHashedOctreePointLocatorBatches, WhatTheirArraysToldOfOldValuesIsForgotten)
