@@ -290,7 +290,7 @@ protected:
     {
       GTEST_SKIP() << "threads of this VTK stay once they are started";
     }
-    if (vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
+    if (std::thread::hardware_concurrency() < 2)
     {
       GTEST_SKIP() << "one processor has no other threads";
     }
