@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 
 namespace hashedoctree
@@ -142,12 +143,21 @@ std::vector<std::uint64_t> ListPlaces(vtkDataObjectTreeIterator* leaves)
 }
 }
 
-OctreePass::OctreePass(
-  vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes, std::optional<Box<3>> root)
+OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes,
+  const std::optional<Box<3>>& root)
   : Algorithm(algorithm)
   , Processes(processes)
   , Root(root)
 {
+}
+
+OctreePass::OctreePass(
+  vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes, KeptOctrees& kept)
+  : Algorithm(algorithm)
+  , Processes(processes)
+  , Kept(&kept)
+{
+  this->Kept->ForgetChanged(); // Before others are built, which need the memory.
 }
 
 void OctreePass::ExecuteAny(
@@ -217,8 +227,9 @@ OctreePass::Outputs OctreePass::Process(
     data != nullptr && input == nothing && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
   this->ImplicitBlocks += this->Processes.Max(isImplicit ? 1 : 0);
   this->MetCorners = this->MetCorners || HaveNodeArrays(input->GetCellData());
-  const std::optional<AnyPointsOctree> octree = this->Build(input, execution);
-  Outputs outputs = octree ? makeOutputs(*octree, execution) : Outputs{};
+  const KeptOctrees::Pointer built = this->FindOrBuild(input, execution);
+  this->Met.Add(built->Counts);
+  Outputs outputs = built->Octree ? makeOutputs(*built->Octree, execution) : Outputs{};
   for (vtkDataObject* output : outputs)
   {
     PassFieldData(input, output);
@@ -226,12 +237,29 @@ OctreePass::Outputs OctreePass::Process(
   return outputs;
 }
 
-std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execution& execution)
+KeptOctrees::Pointer OctreePass::FindOrBuild(vtkPointSet* input, const Execution& execution)
+{
+  const bool keeps = this->Kept != nullptr && !this->Processes.AreSeveral();
+  KeptOctrees::Pointer built = keeps ? this->Kept->Find(input) : nullptr;
+  if (!built)
+  {
+    const vtkMTimeType time = input->GetMTime();
+    const vtkMTimeType asked = this->Algorithm->GetMTime();
+    built = std::make_shared<const BuiltOctree>(this->Build(input, execution));
+    if (keeps && this->Algorithm->GetMTime() == asked) // Observers may have set other properties.
+    {
+      this->Kept->Keep(input, time, built);
+    }
+  }
+  return built;
+}
+
+BuiltOctree OctreePass::Build(vtkPointSet* input, const Execution& execution) const
 {
   const auto start = std::chrono::steady_clock::now();
   RequirePointIndices(static_cast<std::size_t>(input->GetNumberOfPoints())); // Before a copy.
   const PointsAdaptor points(input, execution.Part(0.0, AdaptorShare));
-  std::optional<AnyPointsOctree> built;
+  BuiltOctree built;
   points.Visit(
     [&](auto span)
     {
@@ -240,7 +268,7 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
       const DuplicatePoints others(input);
       const PointCounts counts(
         span, selection, others, execution.Part(SelectionShare, SelectionShare));
-      this->Met.Add(counts);
+      built.Counts = counts;
       const std::optional<Box<3>> root = this->FindRoot(selection);
       if (!root)
       {
@@ -255,18 +283,18 @@ std::optional<AnyPointsOctree> OctreePass::Build(vtkPointSet* input, const Execu
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
         if (octree.GetNumberOfPoints() > 0) // Not all are other pieces'.
         {
-          built = std::move(octree);
+          built.Octree = std::move(octree);
         }
       };
       const auto plane = FindQuadtreeFrame(this->Algorithm, *root);
       plane ? build(*plane) : build(TreeFrame<3>());
     });
-  if (built)
+  if (built.Octree)
   {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     double seconds = elapsed.count();
     this->Processes.Max(&seconds, 1);
-    std::visit([seconds](auto& octree) { octree.BuildSeconds = seconds; }, *built);
+    std::visit([seconds](auto& octree) { octree.BuildSeconds = seconds; }, *built.Octree);
   }
   return built;
 }

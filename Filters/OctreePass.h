@@ -2,8 +2,7 @@
 #ifndef OctreePass_h
 #define OctreePass_h
 
-#include "PointCounts.h"
-#include "PointsOctree.h"
+#include "KeptOctrees.h"
 #include "ProcessGroup.h"
 
 #include "vtkDataObject.h"
@@ -43,8 +42,11 @@ public:
   static constexpr double BuildShare = 0.3;
 
   /** `root`, where given, takes the place of the points' own bounds. */
-  explicit OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes,
-    std::optional<Box<3>> root = {});
+  OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes,
+    const std::optional<Box<3>>& root);
+  /** One process alone takes the octrees that are kept, and keeps those that it builds. Several
+   * build all of theirs, since they would have to agree on which they have. */
+  OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes, KeptOctrees& kept);
 
   /** `makeOutputs` returns the Outputs for a PointsOctree<2> or PointsOctree<3>, and is given the
    * progress of one point set, of which BuildShare is done. Warns once of points that are not
@@ -78,8 +80,8 @@ private:
     const MakeOutputs& makeOutputs, const Execution& execution);
   /** The data object is null where a process has nothing of a block. */
   Outputs Process(vtkDataObject* data, const MakeOutputs& makeOutputs, const Execution& execution);
-  /** Nothing where there is no point to use. */
-  std::optional<AnyPointsOctree> Build(vtkPointSet* input, const Execution& execution);
+  KeptOctrees::Pointer FindOrBuild(vtkPointSet* input, const Execution& execution);
+  BuiltOctree Build(vtkPointSet* input, const Execution& execution) const;
   /** The given root, or the box around the selected points of all processes; nothing if there are
    * none. */
   std::optional<Box<3>> FindRoot(const PointSelection<3>& selection) const;
@@ -89,6 +91,7 @@ private:
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;
   std::optional<Box<3>> Root;
+  KeptOctrees* Kept = nullptr;
   PointCounts Met;                  ///< By this process, and in the end by all processes.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.
   bool MetCorners = false;          ///< Of an octree's cells.

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHashedOctreeAlgorithm.h"
 
+#include "KeptOctrees.h"
+
 #include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
+
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 vtkHashedOctreeAlgorithm::vtkHashedOctreeAlgorithm()
   : Controller(vtkMultiProcessController::GetGlobalController())
+  , Kept(std::make_unique<hashedoctree::KeptOctrees>())
 {
 }
 
@@ -27,6 +32,32 @@ void vtkHashedOctreeAlgorithm::SetController(vtkMultiProcessController* controll
 vtkMultiProcessController* vtkHashedOctreeAlgorithm::GetController() const
 {
   return this->Controller;
+}
+
+void vtkHashedOctreeAlgorithm::Modified()
+{
+  this->Kept->Forget();
+  this->Superclass::Modified();
+}
+
+void vtkHashedOctreeAlgorithm::SetFrequencyModel(int model)
+{
+  this->SetOfSearches<int>(this->FrequencyModel, std::clamp<int>(model, Leaves, Grid));
+}
+
+void vtkHashedOctreeAlgorithm::SetStartDepthModel(int model)
+{
+  this->SetOfSearches<int>(this->StartDepthModel, std::clamp<int>(model, Median, Fixed));
+}
+
+void vtkHashedOctreeAlgorithm::SetFixedStartDepth(int depth)
+{
+  this->SetOfSearches(this->FixedStartDepth, std::clamp(depth, 0, 31));
+}
+
+void vtkHashedOctreeAlgorithm::SetIncludeEmptyLeaves(bool include)
+{
+  this->SetOfSearches(this->IncludeEmptyLeaves, include);
 }
 
 void vtkHashedOctreeAlgorithm::SetDimension(int dimension)

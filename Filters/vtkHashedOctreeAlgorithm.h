@@ -19,6 +19,12 @@
  * block of a composite data set has the dimension and the plane that its own points
  * ask for; set Dimension and Plane to have one of all.
  *
+ * On one process vtkHashedOctreeNeighborsFilter and vtkHashedOctreeLocateFilter keep their trees
+ * from one update to the next, and build none where nothing has changed but properties of searches
+ * (start depths, frequencies, empty leaves, all that says which neighbours are wanted) or the
+ * points to locate. Modified() of the filter, of the points or of their array makes them build
+ * again, as all other properties do; points that are changed in place without it go unnoticed.
+ *
  * Several processes that have the pieces of a data set make one tree together: those of Controller,
  * when as many pieces are asked for as there are processes, and of each the one of its rank, as
  * ParaView does. All of them have to update the filter then, since each waits for the others; and
@@ -45,11 +51,22 @@
 #include "vtkMultiProcessController.h"
 #include "vtkSmartPointer.h"
 
+#include <memory> // For the octrees that are kept
+
+namespace hashedoctree
+{
+class KeptOctrees;
+}
+
 class HASHEDOCTREEFILTERS_EXPORT vtkHashedOctreeAlgorithm : public vtkDataObjectAlgorithm
 {
 public:
   vtkTypeMacro(vtkHashedOctreeAlgorithm, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Also forgets the trees that are kept, so that the next update builds them, and frees their
+   * memory. */
+  void Modified() override;
 
   /** How often a leaf is searched for: once, empty or not, once for each of its points, or in
    * proportion to its volume (paper section 4). */
@@ -131,21 +148,21 @@ public:
 
   ///@{
   /** One of FrequencyModels; default Leaves. */
-  vtkSetClampMacro(FrequencyModel, int, Leaves, Grid);
+  virtual void SetFrequencyModel(int model);
   vtkGetMacro(FrequencyModel, int);
   ///@}
 
   ///@{
   /** One of StartDepthModels; default Median. It changes what a search costs, never what it finds.
    */
-  vtkSetClampMacro(StartDepthModel, int, Median, Fixed);
+  virtual void SetStartDepthModel(int model);
   vtkGetMacro(StartDepthModel, int);
   ///@}
 
   ///@{
   /** Start depth of the Fixed model, in [0, 31]; default 0. It may be deeper than the tree. In
    * octrees more than 21 is 21. */
-  vtkSetClampMacro(FixedStartDepth, int, 0, 31);
+  virtual void SetFixedStartDepth(int depth);
   vtkGetMacro(FixedStartDepth, int);
   ///@}
 
@@ -162,7 +179,7 @@ public:
    * vtkHashedOctreeFilter, as neighbours of vtkHashedOctreeNeighborsFilter, and in the numbers that
    * vtkHashedOctreeLocateFilter gives them. Start depths, costs and tables always count them.
    * Default off, but on in vtkHashedOctreeNeighborsFilter. */
-  vtkSetMacro(IncludeEmptyLeaves, bool);
+  virtual void SetIncludeEmptyLeaves(bool include);
   vtkGetMacro(IncludeEmptyLeaves, bool);
   vtkBooleanMacro(IncludeEmptyLeaves, bool);
   ///@}
@@ -187,6 +204,22 @@ protected:
    * there is none to give. */
   virtual int GetTypeOfOutput(int port, vtkInformationVector** inputVector) = 0;
 
+  /** As Modified(), where what has changed is of searches only: trees that are kept stay good. */
+  void ModifiedSearches() { this->Superclass::Modified(); }
+  /** Sets a property of searches. */
+  template <typename Value>
+  void SetOfSearches(Value& property, Value value)
+  {
+    if (property != value)
+    {
+      property = value;
+      this->ModifiedSearches();
+    }
+  }
+
+  /** The trees of the last update, of filters that keep them. */
+  hashedoctree::KeptOctrees& GetKeptOctrees() { return *this->Kept; }
+
   /** The type of data object at all output ports but those of tables when port 0 has a composite
    * data set: the type of that; negative when it has a single one. */
   virtual int GetTypeOfComposite(vtkInformationVector** inputVector);
@@ -205,6 +238,7 @@ private:
   int StartDepthModel = Median;
   int FixedStartDepth = 0;
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  std::unique_ptr<hashedoctree::KeptOctrees> Kept;
 };
 
 #endif

@@ -107,7 +107,7 @@ public:
     vtkInformationVector* outputVector)
   {
     const QueryBlocks blocks(points, queries, outputVector, processes);
-    OctreePass pass(this->Self, processes);
+    OctreePass pass(this->Self, processes, this->Self->GetKeptOctrees());
     pass.Execute(points, blocks.GetTargets(),
       [&](const auto& octree, const Execution& execution)
       { return this->LocateBlocks(octree, blocks.Get(), execution); });

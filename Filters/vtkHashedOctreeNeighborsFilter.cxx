@@ -281,6 +281,41 @@ vtkHashedOctreeNeighborsFilter::vtkHashedOctreeNeighborsFilter()
   this->SetIncludeEmptyLeaves(true);
 }
 
+void vtkHashedOctreeNeighborsFilter::SetSearchMode(int mode)
+{
+  this->SetOfSearches<int>(this->SearchMode, std::clamp<int>(mode, Adjacent, InRadius));
+}
+
+void vtkHashedOctreeNeighborsFilter::SetCenter(double x, double y, double z)
+{
+  const double center[] = { x, y, z };
+  this->SetCenter(center);
+}
+
+void vtkHashedOctreeNeighborsFilter::SetCenter(const double x[3])
+{
+  if (!std::equal(x, x + 3, this->Center))
+  {
+    std::copy_n(x, 3, this->Center);
+    this->ModifiedSearches();
+  }
+}
+
+void vtkHashedOctreeNeighborsFilter::SetUseLeafKey(bool use)
+{
+  this->SetOfSearches(this->UseLeafKey, use);
+}
+
+void vtkHashedOctreeNeighborsFilter::SetLeafKey(vtkTypeInt64 key)
+{
+  this->SetOfSearches(this->LeafKey, key);
+}
+
+void vtkHashedOctreeNeighborsFilter::SetRadius(double radius)
+{
+  this->SetOfSearches(this->Radius, radius);
+}
+
 int vtkHashedOctreeNeighborsFilter::GetTypeOfOutput(
   int vtkNotUsed(port), vtkInformationVector** vtkNotUsed(inputVector))
 {
@@ -295,7 +330,7 @@ int vtkHashedOctreeNeighborsFilter::RequestData(
     {
       Run run(this);
       run.RequireQuery();
-      OctreePass pass(this, processes);
+      OctreePass pass(this, processes, this->GetKeptOctrees());
       pass.Execute(vtkDataObject::GetData(inputVector[0]), OctreePass::GetPorts(outputVector),
         [&run](const auto& octree, const Execution& execution)
         { return run.Process(octree, execution); });

@@ -96,20 +96,21 @@ public:
 
   ///@{
   /** One of SearchModes; default Adjacent. */
-  vtkSetClampMacro(SearchMode, int, Adjacent, InRadius);
+  virtual void SetSearchMode(int mode);
   vtkGetMacro(SearchMode, int);
   ///@}
 
   ///@{
   /** Position in world units whose leaf is the query leaf; default (0, 0, 0). Outside the root cube
    * it stands for the cell nearest to it. Not used with UseLeafKey. */
-  vtkSetVector3Macro(Center, double);
+  virtual void SetCenter(double x, double y, double z);
+  virtual void SetCenter(const double x[3]);
   vtkGetVector3Macro(Center, double);
   ///@}
 
   ///@{
   /** Whether LeafKey gives the query leaf instead of Center. Default off. */
-  vtkSetMacro(UseLeafKey, bool);
+  virtual void SetUseLeafKey(bool use);
   vtkGetMacro(UseLeafKey, bool);
   vtkBooleanMacro(UseLeafKey, bool);
   ///@}
@@ -117,14 +118,14 @@ public:
   ///@{
   /** Key of the query leaf, a value of the array MortonKey; default 1, the root. The keys of depth
    * 21 in octrees are 2^63 and more: here they are the negative numbers with the same 64 bits. */
-  vtkSetMacro(LeafKey, vtkTypeInt64);
+  virtual void SetLeafKey(vtkTypeInt64 key);
   vtkGetMacro(LeafKey, vtkTypeInt64);
   ///@}
 
   ///@{
   /** Radius of the ball of InRadius in world units; default 1. Not negative; may be infinite, which
    * gives all leaves. Not used in mode Adjacent. */
-  vtkSetMacro(Radius, double);
+  virtual void SetRadius(double radius);
   vtkGetMacro(Radius, double);
   ///@}
 
