@@ -29,6 +29,13 @@ void PassName(vtkInformation* ofParent, vtkMultiBlockDataSet* blocks)
 }
 }
 
+vtkDataObjectTree* GetTreeOfBlocks(vtkDataObject* data)
+{
+  const bool isAmr =
+    data != nullptr && (data->IsA("vtkUniformGridAMR") || data->IsA("vtkAMRDataObject"));
+  return isAmr ? nullptr : vtkDataObjectTree::SafeDownCast(data);
+}
+
 void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* copy)
 {
   const auto children = vtk::TakeSmartPointer(tree->NewTreeIterator());
@@ -39,7 +46,7 @@ void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* co
   for (children->InitTraversal(); !children->IsDoneWithTraversal(); children->GoToNextItem())
   {
     vtkSmartPointer<vtkMultiBlockDataSet> blocks;
-    if (auto* inner = vtkDataObjectTree::SafeDownCast(children->GetCurrentDataObject()))
+    if (auto* inner = GetTreeOfBlocks(children->GetCurrentDataObject()))
     {
       blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
       CopyStructureToMultiBlock(inner, blocks);
@@ -60,7 +67,7 @@ void CopyStructureToMultiBlock(vtkDataObjectTree* tree, vtkMultiBlockDataSet* co
 
 void CopyStructure(vtkCompositeDataSet* composite, vtkCompositeDataSet* copy)
 {
-  auto* tree = vtkDataObjectTree::SafeDownCast(composite);
+  vtkDataObjectTree* tree = GetTreeOfBlocks(composite);
   if (tree == nullptr || tree->GetDataObjectType() == copy->GetDataObjectType())
   {
     copy->CopyStructure(composite);

@@ -164,7 +164,7 @@ void OctreePass::ExecuteAny(
   vtkDataObject* input, const Targets& targets, const MakeOutputs& makeOutputs)
 {
   const Execution execution = MakeExecution(this->Algorithm);
-  auto* composite = vtkDataObjectTree::SafeDownCast(input);
+  vtkDataObjectTree* composite = GetTreeOfBlocks(input);
   if (this->Processes.IsTrueInAll(composite != nullptr,
         "Some processes have blocks of points, others have not; give all of them blocks."))
   {

@@ -5,7 +5,6 @@
 #include "PassFieldData.h"
 
 #include "vtkCompositeDataIterator.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -41,7 +40,7 @@ QueryBlocks::QueryBlocks(vtkDataObject* points, vtkDataObject* queries,
   vtkInformationVector* outputVector, const ProcessGroup& processes)
   : Points(points)
   , Composite(vtkCompositeDataSet::SafeDownCast(queries))
-  , IsNested(this->Composite != nullptr && vtkDataObjectTree::SafeDownCast(points) != nullptr)
+  , IsNested(this->Composite != nullptr && GetTreeOfBlocks(points) != nullptr)
   , Ports(OctreePass::GetPorts(outputVector))
 {
   if (!processes.IsTrueInAll(this->Composite != nullptr,
@@ -50,7 +49,7 @@ QueryBlocks::QueryBlocks(vtkDataObject* points, vtkDataObject* queries,
     this->Blocks.push_back(vtkDataSet::SafeDownCast(queries));
     return;
   }
-  if (this->IsNested && vtkDataObjectTree::SafeDownCast(queries) == nullptr)
+  if (this->IsNested && GetTreeOfBlocks(queries) == nullptr)
   {
     throw std::invalid_argument("AMR query points cannot be searched for in blocks of points; "
                                 "merge the blocks of either input.");
@@ -132,8 +131,8 @@ void QueryBlocks::FillOutputs() const
     auto* output = vtkCompositeDataSet::SafeDownCast(this->Ports[port]);
     if (this->IsNested)
     {
-      CopyStructureToMultiBlock(vtkDataObjectTree::SafeDownCast(this->Composite),
-        vtkMultiBlockDataSet::SafeDownCast(output));
+      CopyStructureToMultiBlock(
+        GetTreeOfBlocks(this->Composite), vtkMultiBlockDataSet::SafeDownCast(output));
     }
     else
     {

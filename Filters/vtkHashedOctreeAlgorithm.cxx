@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkHashedOctreeAlgorithm.h"
 
+#include "BlockStructure.h"
 #include "KeptOctrees.h"
 
-#include "vtkDataObjectTree.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -130,7 +130,7 @@ int vtkHashedOctreeAlgorithm::RequestUpdateExtent(vtkInformation* vtkNotUsed(req
 
 int vtkHashedOctreeAlgorithm::GetTypeOfComposite(vtkInformationVector** inputVector)
 {
-  auto* input = vtkDataObjectTree::GetData(inputVector[0]);
+  vtkDataObjectTree* input = hashedoctree::GetTreeOfBlocks(vtkDataObject::GetData(inputVector[0]));
   return input == nullptr ? -1 : input->GetDataObjectType();
 }
 

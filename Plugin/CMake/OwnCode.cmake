@@ -10,6 +10,8 @@ function (hashedoctree_own_code target)
   # Clang's -Wconversion includes -Wsign-conversion, GCC's does not.
   target_compile_options("${target}" PRIVATE
     -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion)
+  # What VTK 9.1 has may be deprecated since.
+  target_compile_definitions("${target}" PRIVATE "VTK_DEPRECATION_LEVEL=VTK_VERSION_CHECK(9, 1, 0)")
   if (HASHEDOCTREE_WERROR)
     target_compile_options("${target}" PRIVATE -Werror)
   endif ()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "EmptyAmr.h"
 #include "ExpectOctree.h"
 #include "MemoryLimit.h"
 #include "PointSamples.h"
@@ -6,7 +7,6 @@
 #include "Sanitized.h"
 
 #include "vtkDataSetAttributes.h"
-#include "vtkNonOverlappingAMR.h"
 #include "vtkSMPTools.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -62,9 +62,7 @@ TEST(TestHashedOctreeFilterBadInput, NothingOfAnEarlierRunIsLeft)
 
 TEST(TestHashedOctreeFilterBadInput, AmrIsRefusedOnce)
 {
-  auto grids = vtkSmartPointer<vtkNonOverlappingAMR>::New();
-  const int blocksPerLevel[]{ 2, 1 };
-  grids->Initialize(2, blocksPerLevel);
+  const auto grids = MakeEmptyAmr({ 2, 1 });
   TestedFilter filter;
   filter->SetInputData(grids);
   filter.UpdateToNothing();

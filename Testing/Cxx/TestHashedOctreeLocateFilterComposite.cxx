@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "EmptyAmr.h"
 #include "SameOutputs.h"
 #include "StopAt.h"
 #include "TestedLocateFilter.h"
@@ -285,9 +286,7 @@ std::string GetName(vtkMultiBlockDataSet* blocks, unsigned block)
 /** Two blocks of a cell each. */
 vtkSmartPointer<vtkNonOverlappingAMR> MakeAmr()
 {
-  auto amr = vtkSmartPointer<vtkNonOverlappingAMR>::New();
-  const int blocksPerLevel[] = { 1, 1 };
-  amr->Initialize(2, blocksPerLevel);
+  auto amr = MakeEmptyAmr({ 1, 1 });
   for (unsigned level = 0; level < 2; ++level)
   {
     vtkNew<vtkUniformGrid> grid;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "EmptyAmr.h"
 #include "PointSamples.h"
 #include "TestedLocateFilter.h"
 
@@ -7,7 +8,6 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
-#include "vtkNonOverlappingAMR.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -143,9 +143,7 @@ TEST(TestHashedOctreeLocateFilterPipeline, QueriesOnAGridKeepItWhereNothingIsLoc
   const auto nothing = MakePolyData<double>({});
   vtkNew<vtkUniformGrid> patch;
   patch->SetDimensions(3, 3, 3);
-  vtkNew<vtkNonOverlappingAMR> amr; // An error.
-  const int patches[] = { 1 };
-  amr->Initialize(1, patches);
+  const auto amr = MakeEmptyAmr({ 1 }); // An error.
   amr->SetDataSet(0, 0, patch);
   for (vtkDataSet* queries : std::vector<vtkDataSet*>{ image, grid })
   {

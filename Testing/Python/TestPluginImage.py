@@ -12,6 +12,8 @@ shown = simple.Show(octree, view)
 assert shown.Representation == "Surface", shown.Representation
 assert list(shown.ColorArrayName) == ["CELLS", "Depth"], shown.ColorArrayName
 
+simple.GetColorTransferFunction("Depth").ApplyPreset("Cool to Warm", True)  # ParaView 6 has another default
+
 simple.ResetCamera(view)
 view.CameraPosition = [2.0, 1.5, 1.8]
 view.CameraFocalPoint = [0.0, 0.0, 0.0]
