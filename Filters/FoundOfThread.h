@@ -11,7 +11,8 @@
 namespace hashedoctree
 {
 /** The calling thread's own memory for what one query finds, so that most queries allocate none.
- * One at a time of each T in a thread. Private to the module. */
+ * One at a time of each T in a thread. Who asks after that memory has ended, from destructors of
+ * static or other thread-local objects, gets some for this query alone. Private to the module. */
 template <typename T>
 class FoundOfThread
 {
@@ -46,13 +47,25 @@ public:
 private:
   static constexpr std::size_t MostToKeep = 65536;
 
-  // Where it is inlined, compilers look for the thread's memory at every use.
-  [[gnu::noinline]] static std::vector<T>& GetOfThread()
+  struct Kept
   {
-    thread_local std::vector<T> values;
-    return values;
+    std::vector<T> Values;
+    bool& HasEnded;
+    ~Kept() { this->HasEnded = true; }
+  };
+
+  /** Null when it has ended. (Where this is inlined, compilers look for the thread's memory at
+   * every use.) */
+  [[gnu::noinline]] static std::vector<T>* GetOfThread()
+  {
+    thread_local bool hasEnded = false; // Has no destructor, after which it would be gone, too.
+    thread_local Kept kept{ {}, hasEnded };
+    return hasEnded ? nullptr : &kept.Values;
   }
-  std::vector<T>& Values = GetOfThread();
+
+  std::vector<T> Own;
+  std::vector<T>* OfThread = GetOfThread();
+  std::vector<T>& Values = this->OfThread != nullptr ? *this->OfThread : this->Own;
 };
 }
 

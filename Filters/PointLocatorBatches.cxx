@@ -106,6 +106,11 @@ bool vtkHashedOctreePointLocator::RunBatch(
     Empty(outputs);
     return false;
   }
+  catch (...) // Of an observer.
+  {
+    Empty(outputs);
+    throw;
+  }
 }
 
 bool vtkHashedOctreePointLocator::FindClosestPoints(

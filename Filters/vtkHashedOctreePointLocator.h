@@ -58,7 +58,8 @@
  * - In the coordinate arrays of a vtkRectilinearGrid: none; call Modified() of the grid.
  *
  * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
- * nothing is modified. (Update() is not enough: it does not always build. And if you give the
+ * nothing is modified. Who asks is to have the processor in the mode that it was in at the build:
+ * how it rounds, and which numbers it takes for zero. (Update() is not enough: it does not always build. And if you give the
  * locator to vtkPointSet::SetPointLocator(), call SetDataSet() as well.) The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
  * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough

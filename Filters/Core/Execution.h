@@ -22,8 +22,8 @@ struct Interrupted
  * to stop.
  *
  * The library has no threads of its own. A ParallelFor calls body(first, last) on parts of the
- * range that it is given, of at least `grain` items each but for the last one, from any threads
- * it likes, and returns when all parts are done. What a body throws, the first of it if there is
+ * range that it is given, of about `grain` items each or more, from any threads it likes, and
+ * returns when all parts are done. What a body throws, the first of it if there is
  * more, comes out of the call when no part runs any more; parts not yet begun may be left out.
  *
  * Progress is told a fraction in [0, 1] that never falls, always on the thread that called For(),

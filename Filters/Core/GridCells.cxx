@@ -72,7 +72,7 @@ HASHEDOCTREE_WITH_AVX2 HASHEDOCTREE_INLINE __m256d Load(const float* x)
 }
 
 /** The same in half the time: of t / side, the product with the inverse and then two fused products
- * give the quotient, rounded as a division rounds it (Brisebarre, Muller and Raina 2004,
+ * give the quotient, rounded to nearest as a division rounds it (Brisebarre, Muller and Raina 2004,
  * doi 10.1109/TC.2004.37). */
 template <int Dim, typename Real>
 HASHEDOCTREE_WITH_AVX2 void ComputeCellsByProducts(
@@ -120,7 +120,8 @@ void GetCells(const Grid<Dim>& grid, const Real* coordinates, std::size_t count,
 {
 #if defined(__x86_64__)
   const double side = grid.GetSide();
-  if (HasAvx2() && LeastSideOfProducts <= side && side <= MostSideOfProducts)
+  const bool roundsToNearest = _MM_GET_ROUNDING_MODE() == _MM_ROUND_NEAREST;
+  if (HasAvx2() && roundsToNearest && LeastSideOfProducts <= side && side <= MostSideOfProducts)
   {
     const std::size_t before = ComputeLastCells<Dim>(grid, coordinates, count, cells);
     ComputeCellsByProducts<Dim>(grid, coordinates, before, cells);

@@ -3,6 +3,7 @@
 
 #include "Dimensions.h"
 #include "PointSamples.h"
+#include "Rounding.h"
 #include "SmallNumbersAreZero.h"
 
 #include <cmath>
@@ -115,6 +116,18 @@ TYPED_TEST(TestGridCells, NumbersThatAreTakenForZeroChangeNoCell)
   }
 }
 #endif
+
+TYPED_TEST(TestGridCells, ProcessorsMayRoundOtherwise)
+{
+  for (const int mode : { FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO })
+  {
+    const Rounding rounding(mode);
+    for (const double side : { 1.0, 3.0, 0.1, 8000.0 })
+    {
+      TestFixture::ExpectBorders(TestFixture::MakeGrid(side));
+    }
+  }
+}
 
 TYPED_TEST(TestGridCells, CoordinatesThatAreNoPlaceGetCellsToo)
 {

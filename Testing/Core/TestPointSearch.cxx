@@ -4,6 +4,7 @@
 #include "BruteForceSearch.h"
 #include "Dimensions.h"
 #include "PointSamples.h"
+#include "Rounding.h"
 #include "Sanitized.h"
 #include "SmallNumbersAreZero.h"
 
@@ -502,6 +503,34 @@ TEST(TestPointSearchFacts, NumbersThatAreTakenForZeroChangeNoAnswer)
   }
 }
 #endif
+
+TEST(TestPointSearchFacts, ProcessorsMayRoundOtherwise)
+{
+  // Floats that far from 0 are multiples of 1/16: many lie on borders of cells.
+  const std::vector<float> coordinates = MakeUniformPoints<3, float>(5000, 175, 857794.0, 857801.0);
+  const PointSpan<3, float> points{ coordinates.data(), 5000 };
+  for (const int mode : { FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO })
+  {
+    SCOPED_TRACE(mode);
+    const Rounding rounding(mode);
+    const PointTree<3, float> tree(
+      points, PointSelection<3>(points, {}, Execution()), { 16, 21 }, Execution());
+    const PointSearch<3, float> search(tree);
+    for (std::size_t query = 0; query < 5000; query += 50)
+    {
+      const Position<3> x = GetPosition<3>(points, query);
+      const auto all = BruteForceSearch<3, float>(points).FindAll(x);
+      std::vector<FoundPoint> few;
+      search.FindClosest(x, 20, few);
+      std::vector<std::int64_t> found(20);
+      std::transform(few.begin(), few.end(), found.begin(), [](const auto& p) { return p.Id; });
+      ASSERT_EQ(found, GetIds(all, 20));
+      std::vector<PointIndex> within;
+      search.FindWithin(x, 1.0, within);
+      ASSERT_EQ(within.size(), CountWithin(all, 1.0));
+    }
+  }
+}
 
 TEST(TestPointSearchFacts, NothingToFind)
 {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 using namespace hashedoctree;
 
 TEST(TestFoundOfThread, IsEmptyAndKeepsItsMemory)
@@ -26,6 +28,30 @@ TEST(TestFoundOfThread, GivesBackMuchMemory)
     found.Get().assign(10000000, 7);
   }
   EXPECT_LT(FoundOfThread<int>().Get().capacity(), 100000U);
+}
+
+TEST(TestFoundOfThread, IsThereWhenTheMemoryOfTheThreadHasEnded)
+{
+  struct Late
+  {
+    std::size_t* Found;
+    ~Late()
+    {
+      FoundOfThread<int> found;
+      found.Get().resize(100000, 7); // Frees what it has, and must not have any more.
+      *this->Found = found.Get().size();
+    }
+  };
+  std::size_t size = 0;
+  std::thread(
+    [&size]
+    {
+      thread_local Late late{ &size }; // Ends after what is made after it.
+      FoundOfThread<int> found;
+      found.Get().resize(1000, *late.Found == 0 ? 7 : 8);
+    })
+    .join();
+  EXPECT_EQ(size, 100000U);
 }
 
 TEST(TestFoundOfThread, ReplacesTheIdsOfAList)

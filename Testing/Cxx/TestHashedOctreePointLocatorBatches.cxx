@@ -411,6 +411,28 @@ TEST(TestHashedOctreePointLocatorBatches, EndWhenAbortedWhateverOtherBatchesDo)
   EXPECT_EQ(observer.Inner.Ids->GetNumberOfTuples(), 60000);
 }
 
+TEST(TestHashedOctreePointLocatorBatches, AreEmptyWhateverTheirObserversThrow)
+{
+  const auto coordinates = MakeUniformPoints<3, float>(60000, 187);
+  TestedLocator locator(MakePolyData(coordinates));
+  locator->BuildLocator();
+  const auto queries = MakeQueries<vtkFloatArray>(coordinates, 60000);
+  struct Observer
+  {
+    void Throw(vtkObject*, unsigned long, void* fraction)
+    {
+      if (*static_cast<double*>(fraction) > 0.5)
+      {
+        throw 5;
+      }
+    }
+  } observer;
+  locator->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Throw);
+  Outputs outputs;
+  EXPECT_THROW(locator->FindClosestPoints(queries, outputs.Ids, outputs.Dist2), int);
+  EXPECT_TRUE(outputs.AreEmpty());
+}
+
 TEST(TestHashedOctreePointLocatorBatches, TellProgressAndCanBeAborted)
 {
   const auto coordinates = MakeUniformPoints<3, float>(60000, 184);
