@@ -45,6 +45,7 @@
  *   a sphere, or from far away (at most of them from a thousand widths above a plane, at all from a
  *   million there, and from 1e15 anywhere). It also does where squared distances are too small or
  *   too large for a double, below 1e-150 or beyond 1e154.
+ * - How the processor rounds, and which numbers it takes for zero, must be as it was at the build.
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So
@@ -58,8 +59,7 @@
  * - In the coordinate arrays of a vtkRectilinearGrid: none; call Modified() of the grid.
  *
  * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
- * nothing is modified. Who asks is to have the processor in the mode that it was in at the build:
- * how it rounds, and which numbers it takes for zero. (Update() is not enough: it does not always build. And if you give the
+ * nothing is modified. (Update() is not enough: it does not always build. And if you give the
  * locator to vtkPointSet::SetPointLocator(), call SetDataSet() as well.) The build runs on the
  * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
  * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
