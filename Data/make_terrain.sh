@@ -11,7 +11,7 @@ fail() {
 }
 
 (($# == 2)) || fail "usage: Data/make_terrain.sh PYTHON OUT.vtp"
-root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 python="$1"
 file="$2"
 log="${file%.vtp}.log"

@@ -6,7 +6,7 @@
 set -euo pipefail
 shopt -s nullglob
 
-root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 found=("$root"/build/lib/paraview-*/plugins/HashedOctree/HashedOctree.so) # one for each version of ParaView
 if ((${#found[@]} == 0)); then
   echo "error: no plugin in $root/build/lib; build it with Plugin/setup.sh" >&2

@@ -11,7 +11,7 @@
 # Each of them also takes --tests, --benchmarks or both, in any order, and then builds these, too.
 set -euo pipefail
 
-root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 [[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 # Debian's tools first: a cmake or python3 from elsewhere does not fit Debian's ParaView.
 PATH="/usr/sbin:/usr/bin:/sbin:/bin:$PATH"

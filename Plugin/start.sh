@@ -8,7 +8,7 @@
 # are written to build/demo/ instead.
 set -euo pipefail
 
-root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 demo="$root/build/demo"
 log="$demo/demo.log"
 

@@ -13,7 +13,7 @@
 #                                            is not; on a machine without ParaView, in build/vtk
 set -euo pipefail
 
-root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 [[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 build="$root/build"
 python=pvpython

@@ -6,7 +6,7 @@
 # Inputs of interest are kept in build/fuzz/corpus, those that fail in build/fuzz.
 set -euo pipefail
 
-root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 [[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 build="$root/build/fuzz"
 

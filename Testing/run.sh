@@ -6,7 +6,7 @@
 # The arguments go to every ctest. Those with a sanitizer may then find no test, as with -L python.
 set -euo pipefail
 
-root="$(CDPATH='' cd -P -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd)"
+root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 [[ "${1:-}" != -h && "${1:-}" != --help ]] || exec "$root/Plugin/usage.sh" "$0"
 failed=()
 # GCC 12's thread sanitizer cannot start where the kernel spreads memory at random over too wide a range.

@@ -110,6 +110,18 @@ struct PlainBoxes
   }
 
 private:
+  template <typename T>
+  HASHEDOCTREE_INLINE static void Load(const std::uint8_t* steps, OfOctants<Dim, T>& loaded)
+  {
+    // GCC warns of a vector without a value, though each of its numbers gets one.
+    OfOctants<Dim, T> some = {};
+    for (std::size_t i = 0; i < SomeOctants<Dim, T>; ++i)
+    {
+      some[i] = steps[i];
+    }
+    loaded = some;
+  }
+
   /** Calls function(octant, dist2) for the box of each octant. */
   template <typename T, ComputeOf<Dim, T> Measure, typename Function>
   static void ForOctants(
@@ -122,11 +134,8 @@ private:
       OfOctants<Dim, T> upper[Dim];
       for (int axis = 0; axis < Dim; ++axis)
       {
-        for (std::size_t i = 0; i < width; ++i)
-        {
-          lower[axis][i] = boxes.Lower[axis][first + i];
-          upper[axis][i] = boxes.Upper[axis][first + i];
-        }
+        Load<T>(boxes.Lower[axis] + first, lower[axis]);
+        Load<T>(boxes.Upper[axis] + first, upper[axis]);
       }
       OfOctants<Dim, T> some;
       Measure(lower, upper, steps, some);

@@ -10,6 +10,10 @@
 #include <cstdint>
 #include <limits>
 
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "HashedOctree must tell infinities and NaN from numbers; compile it without -ffast-math"
+#endif
+
 namespace hashedoctree
 {
 /** A position in world coordinates. */

@@ -16,4 +16,10 @@ configure(Subproject Subproject)
 configure(Subproject SubprojectWithoutHost -DHASHEDOCTREE_HOST=NONE)
 configure(Subproject SubprojectOfVTK -DOUTER_FINDS_VTK_ALONE=ON "-DVTK_DIR=${VTK_DIR}")
 configure(Module Module)
-configure(Module StaticModule -DBUILD_SHARED_LIBS=OFF)
+configure(Module StaticModule -DBUILD_SHARED_LIBS=OFF
+  -DCMAKE_CXX_STANDARD=14 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON)
+file(STRINGS "${BINARY_DIR}/Testing/StaticModule/Testing/Module/compile_commands.json" older
+  REGEX "std=gnu\\+\\+14.*${SOURCE_DIR}/Filters/[A-Za-z/]*[.]cxx")
+if (older)
+  message(FATAL_ERROR "the module is compiled as C++14, and needs C++17: ${older}")
+endif ()
