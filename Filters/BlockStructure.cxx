@@ -31,8 +31,7 @@ void PassName(vtkInformation* ofParent, vtkMultiBlockDataSet* blocks)
 
 vtkDataObjectTree* GetTreeOfBlocks(vtkDataObject* data)
 {
-  const bool isAmr =
-    data != nullptr && (data->IsA("vtkUniformGridAMR") || data->IsA("vtkAMRDataObject"));
+  const bool isAmr = data != nullptr && data->IsA("vtkAMRDataObject");
   return isAmr ? nullptr : vtkDataObjectTree::SafeDownCast(data);
 }
 

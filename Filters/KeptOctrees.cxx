@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "KeptOctrees.h"
 
+#include "vtkPoints.h"
+
+#include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace hashedoctree
 {
+vtkMTimeType KeptOctrees::GetTime(vtkPointSet* points)
+{
+  // Not all classes tell of their points.
+  const vtkMTimeType ofPoints =
+    points->GetPoints() != nullptr ? points->GetPoints()->GetMTime() : 0;
+  return std::max(points->GetMTime(), ofPoints);
+}
+
 KeptOctrees::Pointer KeptOctrees::Find(vtkPointSet* points) const
 {
   const auto kept = this->Octrees.find(points);
-  return kept == this->Octrees.end() ? nullptr : kept->second.Built;
+  return kept != this->Octrees.end() && kept->second.IsGood() ? kept->second.Built : nullptr;
 }
 
 void KeptOctrees::Keep(vtkPointSet* points, vtkMTimeType time, const Pointer& built)
@@ -16,13 +28,20 @@ void KeptOctrees::Keep(vtkPointSet* points, vtkMTimeType time, const Pointer& bu
   this->Octrees[points] = { points, time, built };
 }
 
-void KeptOctrees::ForgetChanged()
+void KeptOctrees::ForgetOthers(vtkDataObject* input)
 {
+  if (std::exchange(this->UpdateTime, input->GetUpdateTime()) != input->GetUpdateTime())
+  {
+    this->Forget();
+  }
   for (auto kept = this->Octrees.begin(); kept != this->Octrees.end();)
   {
-    vtkPointSet* points = kept->second.Points;
-    const bool isSame = points != nullptr && points->GetMTime() == kept->second.Time;
-    kept = isSame ? std::next(kept) : this->Octrees.erase(kept);
+    kept = kept->second.IsGood() ? std::next(kept) : this->Octrees.erase(kept);
   }
+}
+
+bool KeptOctrees::Kept::IsGood() const
+{
+  return this->Points != nullptr && GetTime(this->Points) == this->Time;
 }
 }

@@ -157,13 +157,16 @@ OctreePass::OctreePass(
   , Processes(processes)
   , Kept(&kept)
 {
-  this->Kept->ForgetChanged(); // Before others are built, which need the memory.
 }
 
 void OctreePass::ExecuteAny(
   vtkDataObject* input, const Targets& targets, const MakeOutputs& makeOutputs)
 {
   const Execution execution = MakeExecution(this->Algorithm);
+  if (this->Kept != nullptr)
+  {
+    this->Kept->ForgetOthers(input); // Before others are built, which need the memory.
+  }
   vtkDataObjectTree* composite = GetTreeOfBlocks(input);
   if (this->Processes.IsTrueInAll(composite != nullptr,
         "Some processes have blocks of points, others have not; give all of them blocks."))
@@ -243,7 +246,7 @@ KeptOctrees::Pointer OctreePass::FindOrBuild(vtkPointSet* input, const Execution
   KeptOctrees::Pointer built = keeps ? this->Kept->Find(input) : nullptr;
   if (!built)
   {
-    const vtkMTimeType time = input->GetMTime();
+    const vtkMTimeType time = KeptOctrees::GetTime(input);
     const vtkMTimeType asked = this->Algorithm->GetMTime();
     built = std::make_shared<const BuiltOctree>(this->Build(input, execution));
     if (keeps && this->Algorithm->GetMTime() == asked) // Observers may have set other properties.

@@ -22,9 +22,9 @@ namespace hashedoctree
 {
 /**
  * One pass of an algorithm over the point sets of its input: the input itself or, of a composite
- * one, each of its blocks. Builds the octree or quadtree of each and fills the targets with what a
- * function makes of it, with the field data of the point set where it has none of that name. Blocks
- * without a point to use, and those of another kind, stay empty.
+ * one, each of its blocks. Builds the octree or quadtree of each, or takes one that is kept, and
+ * fills the targets with what a function makes of it, with the field data of the point set where it
+ * has none of that name. Blocks without a point to use, and those of another kind, stay empty.
  *
  * Several processes that have the pieces of one input make one tree of each point set together, if
  * their composite inputs have the same structure, else each its own. What they have to do together

@@ -22,8 +22,10 @@
  * On one process vtkHashedOctreeNeighborsFilter and vtkHashedOctreeLocateFilter keep their trees
  * from one update to the next, and build none where nothing has changed but properties of searches
  * (start depths, frequencies, empty leaves, all that says which neighbours are wanted) or the
- * points to locate. Modified() of the filter, of the points or of their array makes them build
- * again, as all other properties do; points that are changed in place without it go unnoticed.
+ * points to locate. All else makes them build again: other properties, Modified() of the filter, of
+ * the points or of their array, and a source that has generated the points again. Only points that
+ * are changed in place without a word to any of these go unnoticed. Where the input is released
+ * after use (ReleaseDataFlag), nothing that is kept is of use; Modified() frees it.
  *
  * Several processes that have the pieces of a data set make one tree together: those of Controller,
  * when as many pieces are asked for as there are processes, and of each the one of its rank, as

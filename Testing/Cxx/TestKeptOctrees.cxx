@@ -7,7 +7,9 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDummyController.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -30,6 +32,37 @@ void MoveSilently(vtkPointSet* data)
     data->GetPoint(i, x);
     data->GetPoints()->SetPoint(i, std::fmod(x[0] + 0.3, 1.0), x[1], x[2]);
   }
+}
+
+/** Tells neither of its points nor of its arrays, as some data sets do. */
+class QuietPolyData : public vtkPolyData
+{
+public:
+  static QuietPolyData* New();
+  vtkTypeMacro(QuietPolyData, vtkPolyData);
+  vtkMTimeType GetMTime() override { return vtkObject::GetMTime(); }
+};
+vtkStandardNewMacro(QuietPolyData);
+
+/** Does something once, when progress has come to a fraction. */
+struct Observer
+{
+  double From;
+  std::function<void()> Act;
+  bool HasActed = false;
+  void Look(vtkObject*, unsigned long, void* progress)
+  {
+    if (!this->HasActed && *static_cast<const double*>(progress) >= this->From)
+    {
+      this->HasActed = true;
+      this->Act();
+    }
+  }
+};
+
+vtkDataObject* GetBlock(TestedNeighborsFilter& filter, unsigned block)
+{
+  return vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetBlock(block);
 }
 
 /** Expects what a filter with the same properties gives that has never kept anything. */
@@ -121,6 +154,68 @@ TEST(TestKeptOctrees, WhateverElseChangesBuildsAnother)
   ExpectAsBuiltAnew(filter, others);
 }
 
+TEST(TestKeptOctrees, PointsThatAreGeneratedAgainAreBuiltAgain)
+{
+  const auto points = MakeUniform(Count, 40);
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(points);
+  TestedNeighborsFilter filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetCenter(0.5, 0.5, 0.5);
+  filter.Update();
+  MoveSilently(points);
+  source->Modified();
+  ExpectAsBuiltAnew(filter, points);
+}
+
+TEST(TestKeptOctrees, PointsAreAskedForTheirTimesThemselves)
+{
+  vtkNew<QuietPolyData> points;
+  points->ShallowCopy(MakeUniform(Count, 41));
+  TestedNeighborsFilter filter;
+  filter->SetInputData(points);
+  filter->SetCenter(0.5, 0.5, 0.5);
+  filter.Update();
+  for (vtkObject* changed : { static_cast<vtkObject*>(points->GetPoints()),
+         static_cast<vtkObject*>(points->GetPoints()->GetData()),
+         static_cast<vtkObject*>(points->GetPointData()) })
+  {
+    SCOPED_TRACE(changed->GetClassName());
+    MoveSilently(points);
+    changed->Modified();
+    filter->SetRadius(filter->GetRadius() + 1.0);
+    ExpectAsBuiltAnew(filter, points);
+  }
+}
+
+TEST(TestKeptOctrees, ObserversMayChangeTheNextBlock)
+{
+  const auto first = MakeUniform(Count, 42);
+  const auto second = MakeUniform(Count, 43);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, first);
+  blocks->SetBlock(1, second);
+  TestedNeighborsFilter filter;
+  filter->SetInputData(blocks);
+  filter->SetCenter(0.5, 0.5, 0.5);
+  filter.UpdateWithoutErrors();
+  Observer observer{ 0.01,
+    [&]
+    {
+      MoveSilently(second);
+      second->Modified();
+    } };
+  filter->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Look);
+  filter->SetCenter(0.4, 0.5, 0.5);
+  filter.UpdateWithoutErrors();
+  ASSERT_TRUE(observer.HasActed);
+  TestedNeighborsFilter other;
+  other->SetInputData(blocks);
+  other->SetCenter(0.4, 0.5, 0.5);
+  other.UpdateWithoutErrors();
+  ExpectSame(GetBlock(filter, 1), GetBlock(other, 1));
+}
+
 TEST(TestKeptOctrees, EachBlockHasItsOwn)
 {
   const auto makeBlocks = [](vtkPolyData* first, vtkPolyData* second)
@@ -150,9 +245,7 @@ TEST(TestKeptOctrees, EachBlockHasItsOwn)
   for (const unsigned block : { 0U, 1U })
   {
     SCOPED_TRACE(block);
-    const auto get = [block](TestedNeighborsFilter& of)
-    { return vtkMultiBlockDataSet::SafeDownCast(of->GetOutputDataObject(0))->GetBlock(block); };
-    ExpectSame(get(filter), get(other));
+    ExpectSame(GetBlock(filter, block), GetBlock(other, block));
   }
 }
 
@@ -181,20 +274,6 @@ TEST(TestKeptOctrees, OtherQueryPointsAreLocatedInIt)
 
 TEST(TestKeptOctrees, ObserversMayChangeWhatTheyDependOn)
 {
-  struct Observer
-  {
-    double From;
-    std::function<void()> Act;
-    bool HasActed = false;
-    void Look(vtkObject*, unsigned long, void* progress)
-    {
-      if (!this->HasActed && *static_cast<const double*>(progress) >= this->From)
-      {
-        this->HasActed = true;
-        this->Act();
-      }
-    }
-  };
   for (const double from : { 0.01, 0.1, 0.2, 0.5, 0.9 }) // While it is built, and after it.
   {
     for (const bool ofPoints : { false, true })

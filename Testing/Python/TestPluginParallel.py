@@ -177,6 +177,19 @@ for points, properties in [
         if rank == 0:
             assert numpy.array_equal(sort_by_key(numpy.concatenate(parts)),
                                      sort_by_key(rows(whole, NEIGHBOR_ARRAYS)))
+# A tree that is kept of a process's own points is not taken for one of all, nor the other way round.
+mine = make_points(cube[rank::PROCESSES])
+neighbors = vtkHashedOctreeNeighborsFilter()
+neighbors.SetInputData(mine)
+for i, pieces in enumerate([1, PROCESSES, PROCESSES, 1, 1, PROCESSES]):
+    centre = (0.3 + 0.1 * i, 0.5, 0.5)
+    neighbors.SetCenter(centre)
+    neighbors.UpdatePiece(rank if pieces > 1 else 0, pieces, 0)
+    whole, = run(mine, pieces, filter_=vtkHashedOctreeNeighborsFilter, Center=centre)
+    piece = neighbors.GetOutputDataObject(0)
+    expect_same_field_data(piece, whole)
+    assert numpy.array_equal(rows(piece, NEIGHBOR_ARRAYS), rows(whole, NEIGHBOR_ARRAYS)), i
+
 errors = []
 run(make_points(cube[rank::PROCESSES]), PROCESSES, errors, vtkHashedOctreeNeighborsFilter,
     UseLeafKey=True, LeafKey=2)
