@@ -43,9 +43,12 @@
  *   own. (With a smaller MaxDepth leaves are as large as was asked for.)
  * - A search looks at all points where they are nearly equally near: at one place, in the middle of
  *   a sphere, or from far away (at most of them from a thousand widths above a plane, at all from a
- *   million there, and from 1e15 anywhere). It also does where squared distances are too small or
- *   too large for a double, below 1e-150 or beyond 1e154.
+ *   million there, and from 1e15 anywhere). It also does where squared distances come
+ *   near what is too small or too large for a double, in boxes with sides below 1e-141 or beyond
+ *   1e150.
  * - How the processor rounds, and which numbers it takes for zero, must be as it was at the build.
+ *   (Where it rounds downwards or to zero, lengths must not be too large for a double, neither as
+ *   they are nor in cells of the last depth.)
  *
  * Every query builds the tree first if it must: when there is none, or when the locator, the data
  * set or its points were modified after the last build (and UseExistingSearchStructure is off). So

@@ -149,7 +149,7 @@ private:
   // More than rounding does to a place in the root, and to one further away beside its distance.
   static constexpr double Rounding = 1e-9;
   static constexpr double RelativeRounding = 1e-12;
-  static constexpr double MostExact = 1e280;
+  static constexpr double MostExact = 1e300;
 
   // The cell at a place, or nearest to it; where the place is no number, the first, or the last.
   static std::uint32_t GetLowerCell(double place)

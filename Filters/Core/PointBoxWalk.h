@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace hashedoctree
@@ -28,13 +30,13 @@ public:
     , Found(found)
     , Examined(count)
   {
-    const Grid<Dim>& grid = this->Nodes.GetGrid();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < Dim; ++axis)
     {
-      this->Lower[axis] =
-        (box.Lower[axis] - grid.GetLower()[axis]) / grid.GetSide() * Key::CellsPerSide;
-      this->Upper[axis] =
-        (box.Upper[axis] - grid.GetLower()[axis]) / grid.GetSide() * Key::CellsPerSide;
+      this->Before[axis] = this->GetPlaceBeside(box.Lower[axis], axis, -infinity);
+      this->Lower[axis] = BeforeEnd(this->GetPlace(box.Lower[axis], axis));
+      this->Upper[axis] = this->GetPlace(box.Upper[axis], axis);
+      this->Behind[axis] = BeforeEnd(this->GetPlaceBeside(box.Upper[axis], axis, infinity));
     }
   }
 
@@ -55,9 +57,6 @@ public:
 
 private:
   using Key = MortonKey<Dim>;
-  /** More than all rounding of places in the root can add up to, in cells of MaxDepth. */
-  static constexpr double RoomForRounding = 1e-5;
-
   /** How a child's box lies to the wanted one. */
   enum class Side
   {
@@ -66,7 +65,37 @@ private:
     Inside
   };
 
-  /** `origin` is the lower corner of the block, `step` a step of its boxes. */
+  /** As Grid has it: in cells of MaxDepth from the lower corner of the root. The greater of two
+   * coordinates never has the smaller place, however it is rounded. */
+  double GetPlace(double x, int axis) const
+  {
+    const Grid<Dim>& grid = this->Nodes.GetGrid();
+    return (x - grid.GetLower()[axis]) / grid.GetSide() * Key::CellsPerSide;
+  }
+
+  /** The place of the next coordinate in a direction, where it matters: of one whose place is on no
+   * face of any child's box the place itself tells the same. */
+  double GetPlaceBeside(double x, int axis, double direction) const
+  {
+    constexpr double size = Key::CellsPerSide;
+    const double place = this->GetPlace(x, axis);
+    const double steps = place * ChildBoxes<Dim>::Steps; // The smallest.
+    const bool isOnFace = 0.0 <= place && place <= size &&
+      steps == static_cast<double>(static_cast<std::int64_t>(steps));
+    return isOnFace ? this->GetPlace(std::nextafter(x, direction), axis) : place;
+  }
+
+  /** Cells end before their upper faces, but for the last ones: points may be on these. */
+  static double BeforeEnd(double place)
+  {
+    constexpr double end = Key::CellsPerSide;
+    constexpr double before = end * (1.0 - std::numeric_limits<double>::epsilon() / 2.0);
+    return place == end ? before : place;
+  }
+
+  /** `origin` is the lower corner of the block, `step` a step of its boxes. The places of a child's
+   * points are at `lower` or above it, and below `upper`, both of which are exact: where these are
+   * on the one side of a place, so are the points of its coordinate. */
   Side GetSide(
     const ChildBoxes<Dim>& boxes, unsigned octant, const Position<Dim>& origin, double step) const
   {
@@ -74,10 +103,10 @@ private:
     bool isOutside = false;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const double lower = origin[axis] + step * boxes.Lower[axis][octant] - RoomForRounding;
-      const double upper = origin[axis] + step * (boxes.Upper[axis][octant] + 1) + RoomForRounding;
-      isOutside |= upper < this->Lower[axis] || lower > this->Upper[axis];
-      isInside &= lower >= this->Lower[axis] && upper <= this->Upper[axis];
+      const double lower = origin[axis] + step * boxes.Lower[axis][octant];
+      const double upper = origin[axis] + step * (boxes.Upper[axis][octant] + 1);
+      isOutside |= upper <= this->Lower[axis] || lower > this->Upper[axis];
+      isInside &= lower > this->Before[axis] && upper <= this->Behind[axis];
     }
     return isOutside ? Side::Outside : isInside ? Side::Inside : Side::Across;
   }
@@ -151,9 +180,11 @@ private:
   const Box<Dim>& Wanted;
   std::vector<PointIndex>& Found;
   Count& Examined;
-  /** Of the wanted box, from the lower corner of the root, in cells of MaxDepth. */
+  /** Places of the wanted box, of the last coordinates before it, and of the first behind it. */
   Position<Dim> Lower;
   Position<Dim> Upper;
+  Position<Dim> Before;
+  Position<Dim> Behind;
 };
 }
 

@@ -361,9 +361,10 @@ void PointTree<Dim, Real>::BuildNestedIn(
   const std::size_t count = leaf.GetNumberOfPoints();
   const PointIndex* ids = this->Ids + leaf.FirstPoint;
   const Real* first = points[ids[0]];
-  // By their differences, as Grid has it: where the processor takes the smallest numbers for zero,
-  // it would never part points that differ by less.
-  const auto isSame = [](Real a, Real b) { return a - b == Real(0); };
+  // By their differences in double, as Grid has it: where the processor takes the smallest numbers
+  // for zero, it would never part points that differ by less.
+  const auto isSame = [](Real a, Real b)
+  { return static_cast<double>(a) - static_cast<double>(b) == 0.0; };
   if (std::all_of(ids, ids + count,
         [&](PointIndex id) { return std::equal(first, first + Dim, points[id], isSame); }))
   {

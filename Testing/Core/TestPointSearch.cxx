@@ -220,6 +220,47 @@ TYPED_TEST(TestPointSearch, FindsAsBruteForceInThinPoints)
   }
 }
 
+TYPED_TEST(TestPointSearch, FindsAsBruteForceInBoxesWithFacesOnThoseOfCells)
+{
+  constexpr int dim = TypeParam::value;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double offset : { 0.0, -3.0, 1e6 })
+  {
+    SCOPED_TRACE(offset);
+    // On a face, or as close to it as can be, but all in one cube.
+    const auto pick = [&](double least, double most)
+    {
+      const double face = offset + static_cast<double>(this->Random() % 9);
+      const double beside[] = { face, std::nextafter(face, -infinity),
+        std::nextafter(face, infinity) };
+      return std::clamp(beside[this->Random() % 3], offset + least, offset + most);
+    };
+    std::vector<double> coordinates(dim, offset);
+    coordinates.insert(coordinates.end(), dim, offset + 8.0);
+    std::generate_n(std::back_inserter(coordinates), 400 * dim, [&] { return pick(0.0, 8.0); });
+    const PointSpan<dim, double> points{ coordinates.data(), 402 };
+    const PointTree<dim, double> tree(points, PointSelection<dim>(points, {}, Execution()),
+      { 2, MortonKey<dim>::MaxDepth }, Execution());
+    const BruteForceSearch<dim, double> oracle(points);
+    for (int i = 0; i < 600; ++i)
+    {
+      Box<dim> box;
+      for (int axis = 0; axis < dim; ++axis)
+      {
+        const double a = pick(-1.0, 9.0);
+        const double b = pick(-1.0, 9.0);
+        box.Lower[axis] = std::min(a, b);
+        box.Upper[axis] = std::max(a, b);
+      }
+      std::vector<PointIndex> within;
+      PointSearch<dim, double>(tree).FindWithin(box, within);
+      std::vector<std::int64_t> found(within.begin(), within.end());
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, oracle.FindWithin(box)) << i;
+    }
+  }
+}
+
 TEST(TestPointSearchFacts, BothSidesOfAPlaneAreAlike)
 {
   PointSample<3, float> sample{ "plane", MakeUniformPoints<3, float>(50000, 170) };
@@ -421,6 +462,15 @@ TEST(TestPointSearchFacts, BoxesExamineTheNodesThatTheirFacesCross)
   const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
   const PointSearch<3, float> search(tree);
   EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, -1.0 }, { 2.0, 2.0, 2.0 } }), 1U);
+  // The root's own cube: no child crosses its faces.
+  const Grid<3>& grid = tree.GetOctree().GetGrid();
+  Box<3> root({ grid.GetLower()[0], grid.GetLower()[1], grid.GetLower()[2] },
+    { grid.GetLower()[0], grid.GetLower()[1], grid.GetLower()[2] });
+  for (double& upper : root.Upper)
+  {
+    upper += grid.GetSide();
+  }
+  EXPECT_EQ(search.CountNodesForWithin(root), 1U);
   // All points are in leaves of depth 4: a plane crosses 1, 4, 16 and 64 nodes above them.
   EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, 0.3 }, { 2.0, 2.0, 0.3 } }), 85U);
   // Nothing can be in these.

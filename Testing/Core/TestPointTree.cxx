@@ -6,6 +6,7 @@
 #include "PointSamples.h"
 #include "SampleTree.h"
 #include "ScarceMemory.h"
+#include "SmallNumbersAreZero.h"
 #include "Threads.h"
 #include "ToldProgress.h"
 
@@ -259,6 +260,22 @@ TEST(TestPointTreeFacts, NestedTreesEndWhereDifferencesAreFlushedToZero)
   _MM_SET_FLUSH_ZERO_MODE(mode);
   EXPECT_EQ(tree.GetNumberOfPoints(), 301U);
   EXPECT_EQ(tree.FindNested(0), nullptr);
+}
+
+TEST(TestPointTreeFacts, FloatsArePartedByWhatTheyDifferByInDouble)
+{
+  // All are floats that no processor takes for zero, but for their differences.
+  std::vector<float> coordinates{ -1e-29F, -1e-29F, -1e-29F, 1e-29F, 1e-29F, 1e-29F };
+  for (int i = 0; i < 40; ++i)
+  {
+    const float x = 1e-36F * (1.0F + 1e-4F * static_cast<float>(i));
+    coordinates.insert(coordinates.end(), { x, 1e-36F, 1e-36F });
+  }
+  const PointSpan<3, float> points{ coordinates.data(), 42 };
+  const SmallNumbersAreZero mode;
+  const PointTree<3, float> tree(
+    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  EXPECT_NE(tree.FindNested(1), nullptr);
 }
 #endif
 
