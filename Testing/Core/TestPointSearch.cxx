@@ -471,6 +471,8 @@ TEST(TestPointSearchFacts, BoxesExamineTheNodesThatTheirFacesCross)
     upper += grid.GetSide();
   }
   EXPECT_EQ(search.CountNodesForWithin(root), 1U);
+  root.Lower[1] += grid.GetSide() / 2.0; // Nor those of its halves.
+  EXPECT_EQ(search.CountNodesForWithin(root), 1U);
   // All points are in leaves of depth 4: a plane crosses 1, 4, 16 and 64 nodes above them.
   EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, 0.3 }, { 2.0, 2.0, 0.3 } }), 85U);
   // Nothing can be in these.
