@@ -480,6 +480,19 @@ TEST(TestPointSearchFacts, BoxesExamineTheNodesThatTheirFacesCross)
   EXPECT_EQ(search.CountNodesForWithin({ { 0.1, 0.1, NAN }, { 0.9, 0.9, 0.4 } }), 0U);
 }
 
+TEST(TestPointSearchFacts, SmallAndLargeBoxesAreSearchedLikeOthers)
+{
+  for (const double side : { 1e-141, 1e-138, 1.0, 1e145, 1e150 })
+  {
+    const std::vector<double> coordinates = MakeUniformPoints<3, double>(20000, 176, 0.0, side);
+    const PointSpan<3, double> points{ coordinates.data(), 20000 };
+    const PointTree<3, double> tree(
+      points, PointSelection<3>(points, {}, Execution()), { 64, 21 }, Execution());
+    const Position<3> beside{ 1.5 * side, 0.5 * side, 0.5 * side };
+    EXPECT_LT((PointSearch<3, double>(tree).CountNodesForClosest(beside)), 50U) << side;
+  }
+}
+
 TEST(TestPointSearchFacts, ManyAreFoundInOrder)
 {
   // Beyond the number that is kept in order all the time.
