@@ -40,7 +40,7 @@ class QuietPolyData : public vtkPolyData
 public:
   static QuietPolyData* New();
   vtkTypeMacro(QuietPolyData, vtkPolyData);
-  vtkMTimeType GetMTime() override { return vtkObject::GetMTime(); }
+  vtkMTimeType GetMTime() override { return this->MTime.GetMTime(); }
 };
 vtkStandardNewMacro(QuietPolyData);
 
