@@ -54,18 +54,17 @@ private:
     ~Kept() { this->HasEnded = true; }
   };
 
-  /** Null when it has ended. (Where this is inlined, compilers look for the thread's memory at
-   * every use.) */
-  [[gnu::noinline]] static std::vector<T>* GetOfThread()
+  /** Another one when it has ended. (Where this is inlined, compilers look for the thread's memory
+   * at every use.) */
+  [[gnu::noinline]] static std::vector<T>& GetOfThread(std::vector<T>& other)
   {
     thread_local bool hasEnded = false; // Has no destructor, after which it would be gone, too.
     thread_local Kept kept{ {}, hasEnded };
-    return hasEnded ? nullptr : &kept.Values;
+    return hasEnded ? other : kept.Values;
   }
 
   std::vector<T> Own;
-  std::vector<T>* OfThread = GetOfThread();
-  std::vector<T>& Values = this->OfThread != nullptr ? *this->OfThread : this->Own;
+  std::vector<T>& Values = GetOfThread(this->Own);
 };
 }
 

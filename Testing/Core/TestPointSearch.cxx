@@ -220,47 +220,6 @@ TYPED_TEST(TestPointSearch, FindsAsBruteForceInThinPoints)
   }
 }
 
-TYPED_TEST(TestPointSearch, FindsAsBruteForceInBoxesWithFacesOnThoseOfCells)
-{
-  constexpr int dim = TypeParam::value;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (const double offset : { 0.0, -3.0, 1e6 })
-  {
-    SCOPED_TRACE(offset);
-    // On a face, or as close to it as can be, but all in one cube.
-    const auto pick = [&](double least, double most)
-    {
-      const double face = offset + static_cast<double>(this->Random() % 9);
-      const double beside[] = { face, std::nextafter(face, -infinity),
-        std::nextafter(face, infinity) };
-      return std::clamp(beside[this->Random() % 3], offset + least, offset + most);
-    };
-    std::vector<double> coordinates(dim, offset);
-    coordinates.insert(coordinates.end(), dim, offset + 8.0);
-    std::generate_n(std::back_inserter(coordinates), 400 * dim, [&] { return pick(0.0, 8.0); });
-    const PointSpan<dim, double> points{ coordinates.data(), 402 };
-    const PointTree<dim, double> tree(points, PointSelection<dim>(points, {}, Execution()),
-      { 2, MortonKey<dim>::MaxDepth }, Execution());
-    const BruteForceSearch<dim, double> oracle(points);
-    for (int i = 0; i < 600; ++i)
-    {
-      Box<dim> box;
-      for (int axis = 0; axis < dim; ++axis)
-      {
-        const double a = pick(-1.0, 9.0);
-        const double b = pick(-1.0, 9.0);
-        box.Lower[axis] = std::min(a, b);
-        box.Upper[axis] = std::max(a, b);
-      }
-      std::vector<PointIndex> within;
-      PointSearch<dim, double>(tree).FindWithin(box, within);
-      std::vector<std::int64_t> found(within.begin(), within.end());
-      std::sort(found.begin(), found.end());
-      ASSERT_EQ(found, oracle.FindWithin(box)) << i;
-    }
-  }
-}
-
 TEST(TestPointSearchFacts, BothSidesOfAPlaneAreAlike)
 {
   PointSample<3, float> sample{ "plane", MakeUniformPoints<3, float>(50000, 170) };
@@ -455,31 +414,6 @@ TEST(TestPointSearchFacts, BallsTakeWholeNodesAsTheyAre)
   }
 }
 
-TEST(TestPointSearchFacts, BoxesExamineTheNodesThatTheirFacesCross)
-{
-  const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 166) };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
-  const PointSearch<3, float> search(tree);
-  EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, -1.0 }, { 2.0, 2.0, 2.0 } }), 1U);
-  // The root's own cube: no child crosses its faces.
-  const Grid<3>& grid = tree.GetOctree().GetGrid();
-  Box<3> root({ grid.GetLower()[0], grid.GetLower()[1], grid.GetLower()[2] },
-    { grid.GetLower()[0], grid.GetLower()[1], grid.GetLower()[2] });
-  for (double& upper : root.Upper)
-  {
-    upper += grid.GetSide();
-  }
-  EXPECT_EQ(search.CountNodesForWithin(root), 1U);
-  root.Lower[1] += grid.GetSide() / 2.0; // Nor those of its halves.
-  EXPECT_EQ(search.CountNodesForWithin(root), 1U);
-  // All points are in leaves of depth 4: a plane crosses 1, 4, 16 and 64 nodes above them.
-  EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, 0.3 }, { 2.0, 2.0, 0.3 } }), 85U);
-  // Nothing can be in these.
-  EXPECT_EQ(search.CountNodesForWithin({ { 0.1, 0.1, 0.6 }, { 0.9, 0.9, 0.4 } }), 0U);
-  EXPECT_EQ(search.CountNodesForWithin({ { 0.1, 0.1, NAN }, { 0.9, 0.9, 0.4 } }), 0U);
-}
-
 TEST(TestPointSearchFacts, SmallAndLargeBoxesAreSearchedLikeOthers)
 {
   for (const double side : { 1e-141, 1e-138, 1.0, 1e145, 1e150 })
@@ -519,24 +453,29 @@ TEST(TestPointSearchFacts, ManyAreFoundInOrder)
   }
 }
 
-TEST(TestPointSearchFacts, BoxesEndWhereTheySay)
+/** Compares the 20 closest and those within a radius of some of the points with brute force, in the
+ * mode that the processor is in. */
+template <typename Real>
+void ExpectAsBruteForceInThisMode(
+  const std::vector<Real>& coordinates, std::size_t bucket, double radius)
 {
-  // Faces so near to points that only the points themselves tell on which side they are: beside a
-  // face of cells, which is 0 here, and below the last cell's upper face.
-  const PointSample<1, double> sample{ "on faces", { -3.0, 1.0, 0.0, 0.5, 0.75, -1.0, -2.0 } };
-  const PointTree<1, double> tree(sample.GetSpan(),
-    PointSelection<1>(sample.GetSpan(), {}, Execution()), { 1, MortonKey<1>::MaxDepth },
-    Execution());
-  const auto find = [&tree](double lower, double upper)
+  const PointSpan<3, Real> points{ coordinates.data(), coordinates.size() / 3 };
+  const PointTree<3, Real> tree(
+    points, PointSelection<3>(points, {}, Execution()), { bucket, 21 }, Execution());
+  const PointSearch<3, Real> search(tree);
+  for (std::size_t query = 0; query < points.Count; query += points.Count / 100)
   {
-    std::vector<PointIndex> found;
-    PointSearch<1, double>(tree).FindWithin(Box<1>({ lower }, { upper }), found);
-    std::sort(found.begin(), found.end());
-    return found;
-  };
-  EXPECT_EQ(find(0.0, 1.0), (std::vector<PointIndex>{ 1, 2, 3, 4 }));
-  EXPECT_EQ(find(1e-30, 1.0), (std::vector<PointIndex>{ 1, 3, 4 }));
-  EXPECT_EQ(find(-3.0, std::nextafter(1.0, 0.0)), (std::vector<PointIndex>{ 0, 2, 3, 4, 5, 6 }));
+    const Position<3> x = GetPosition<3>(points, query);
+    const auto all = BruteForceSearch<3, Real>(points).FindAll(x);
+    std::vector<FoundPoint> few;
+    search.FindClosest(x, 20, few);
+    std::vector<std::int64_t> found(20);
+    std::transform(few.begin(), few.end(), found.begin(), [](const auto& p) { return p.Id; });
+    ASSERT_EQ(found, GetIds(all, 20));
+    std::vector<PointIndex> within;
+    search.FindWithin(x, radius, within);
+    ASSERT_EQ(within.size(), CountWithin(all, radius));
+  }
 }
 
 #if defined(__SSE2__)
@@ -546,25 +485,8 @@ TEST(TestPointSearchFacts, NumbersThatAreTakenForZeroChangeNoAnswer)
   for (const double extent : { 1e-300, 1e-200, 1e-156, 1e-153, 1e-148, 1e-140 })
   {
     SCOPED_TRACE(extent);
-    const std::vector<double> coordinates = MakeUniformPoints<3, double>(300, 174, -extent, extent);
-    const PointSpan<3, double> points{ coordinates.data(), 300 };
-    const PointTree<3, double> tree(
-      points, PointSelection<3>(points, {}, Execution()), { 4, 21 }, Execution());
-    const PointSearch<3, double> search(tree);
-    for (std::size_t query = 0; query < 300; query += 3)
-    {
-      const Position<3> x = GetPosition<3>(points, query);
-      const auto all = BruteForceSearch<3, double>(points).FindAll(x);
-      std::vector<FoundPoint> few;
-      search.FindClosest(x, 20, few);
-      std::vector<std::int64_t> found(20);
-      std::transform(few.begin(), few.end(), found.begin(), [](const auto& p) { return p.Id; });
-      ASSERT_EQ(found, GetIds(all, 20));
-      std::vector<PointIndex> within;
-      const double radius = extent / 4.0;
-      search.FindWithin(x, radius, within);
-      ASSERT_EQ(within.size(), CountWithin(all, radius));
-    }
+    ExpectAsBruteForceInThisMode(
+      MakeUniformPoints<3, double>(300, 174, -extent, extent), 4, extent / 4.0);
   }
 }
 #endif
@@ -573,27 +495,11 @@ TEST(TestPointSearchFacts, ProcessorsMayRoundOtherwise)
 {
   // Floats that far from 0 are multiples of 1/16: many lie on borders of cells.
   const std::vector<float> coordinates = MakeUniformPoints<3, float>(5000, 175, 857794.0, 857801.0);
-  const PointSpan<3, float> points{ coordinates.data(), 5000 };
   for (const int mode : { FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO })
   {
     SCOPED_TRACE(mode);
     const Rounding rounding(mode);
-    const PointTree<3, float> tree(
-      points, PointSelection<3>(points, {}, Execution()), { 16, 21 }, Execution());
-    const PointSearch<3, float> search(tree);
-    for (std::size_t query = 0; query < 5000; query += 50)
-    {
-      const Position<3> x = GetPosition<3>(points, query);
-      const auto all = BruteForceSearch<3, float>(points).FindAll(x);
-      std::vector<FoundPoint> few;
-      search.FindClosest(x, 20, few);
-      std::vector<std::int64_t> found(20);
-      std::transform(few.begin(), few.end(), found.begin(), [](const auto& p) { return p.Id; });
-      ASSERT_EQ(found, GetIds(all, 20));
-      std::vector<PointIndex> within;
-      search.FindWithin(x, 1.0, within);
-      ASSERT_EQ(within.size(), CountWithin(all, 1.0));
-    }
+    ExpectAsBruteForceInThisMode(coordinates, 16, 1.0);
   }
 }
 
