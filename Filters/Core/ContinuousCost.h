@@ -29,7 +29,7 @@ public:
    * Any x, also beyond the histogram. 0 for a histogram of no weight. O(depths). */
   double GetCost(double x) const;
 
-  /** Share of the weight below x, F(x) in [0, 1]. O(depths). */
+  /** Share of the weight below x, F(x): from 0 to 1, up to rounding. O(depths). */
   double GetDistribution(double x) const;
 
   /** Where the cost is least; the smallest such place when half of the weight lies on either side
@@ -37,7 +37,7 @@ public:
   double GetMinimiser() const { return this->Minimiser; }
 
 private:
-  std::vector<double> Shares; ///< Share of the weight at each depth; they add up to 1.
+  std::vector<double> Shares; ///< Of the weight, at each depth.
   double Minimiser = 0.0;
 };
 }

@@ -18,10 +18,10 @@ public:
     const int end = static_cast<int>(histogram.size());
     for (int last = 1; last <= end; ++last)
     {
-      double weight = 0.0;
+      WeightSum weight = 0;
       for (int first = last - 1; first >= 0; --first)
       {
-        weight += static_cast<double>(histogram[static_cast<std::size_t>(first)]);
+        weight += histogram[static_cast<std::size_t>(first)];
         this->Trees[this->GetPlace(first, last)] = this->Join(first, last, weight);
       }
     }
@@ -29,8 +29,8 @@ public:
 
   struct Tree
   {
-    double Weight = 0.0; ///< Of all depths of the range.
-    double Cost = 0.0;   ///< Looks, times their weights.
+    WeightSum Weight = 0; ///< Of all depths of the range.
+    WeightSum Cost = 0;   ///< Looks, times their weights.
     int Root = 0;
   };
   const Tree& Get(int first, int last) const { return this->Trees[this->GetPlace(first, last)]; }
@@ -42,12 +42,12 @@ private:
   }
 
   /** All of the weight looks at the root, and each side goes on in its own tree. */
-  Tree Join(int first, int last, double weight) const
+  Tree Join(int first, int last, WeightSum weight) const
   {
     Tree best;
     for (int root = first; root < last; ++root)
     {
-      const double cost = weight + this->Get(first, root).Cost + this->Get(root + 1, last).Cost;
+      const WeightSum cost = weight + this->Get(first, root).Cost + this->Get(root + 1, last).Cost;
       const auto distance = [first, last](int depth)
       { return std::abs(2 * depth + 1 - first - last); };
       if (root == first || cost < best.Cost ||
@@ -70,7 +70,8 @@ DepthDecisionTree::DepthDecisionTree(const DepthHistogram& histogram)
   const int end = static_cast<int>(this->Depths.size());
   const CheapestTrees::Tree& all = trees.Get(0, end);
   this->Root = all.Root;
-  this->MeanCost = all.Weight > 0.0 ? all.Cost / all.Weight : 0.0;
+  this->MeanCost =
+    all.Weight > 0 ? static_cast<double>(all.Cost) / static_cast<double>(all.Weight) : 0.0;
   this->Place(trees, 0, end, 1);
 }
 

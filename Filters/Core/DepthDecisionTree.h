@@ -21,7 +21,7 @@ namespace hashedoctree
  * two such the smaller. Without weights it is a binary search. A histogram without depths is taken
  * for one of the root alone.
  *
- * Sums of weights are exact below 2^53, as counts of leaves and points are. Immutable; thread safe.
+ * Immutable; thread safe.
  */
 class DepthDecisionTree
 {

@@ -6,6 +6,21 @@
 
 namespace hashedoctree
 {
+namespace
+{
+/** The nodes that searches from a depth examine, as often as the weights say. */
+WeightSum GetCost(const DepthHistogram& histogram, int startDepth)
+{
+  WeightSum cost = 0;
+  for (std::size_t depth = 0; depth < histogram.size(); ++depth)
+  {
+    const int nodes = 1 + std::abs(static_cast<int>(depth) - startDepth);
+    cost += WeightSum(histogram[depth]) * static_cast<unsigned>(nodes);
+  }
+  return cost;
+}
+}
+
 std::uint64_t GetTotal(const DepthHistogram& histogram)
 {
   return std::accumulate(histogram.begin(), histogram.end(), std::uint64_t(0));
@@ -31,17 +46,10 @@ DepthHistogram GetDepthHistogram(const DepthCounts& counts, FrequencyModel model
 
 double GetMeanCost(const DepthHistogram& histogram, int startDepth)
 {
-  // Counts of leaves and points stay below 2^53, so that their sums are exact; the sums of the
-  // grid model are not, and need not be.
-  double cost = 0.0;
-  double total = 0.0;
-  for (std::size_t depth = 0; depth < histogram.size(); ++depth)
-  {
-    const double weight = static_cast<double>(histogram[depth]);
-    cost += weight * (1 + std::abs(static_cast<int>(depth) - startDepth));
-    total += weight;
-  }
-  return total > 0.0 ? cost / total : 0.0;
+  const std::uint64_t total = GetTotal(histogram);
+  return total > 0
+    ? static_cast<double>(GetCost(histogram, startDepth)) / static_cast<double>(total)
+    : 0.0;
 }
 
 int GetMedianDepth(const DepthHistogram& histogram)
@@ -61,12 +69,11 @@ int GetMedianDepth(const DepthHistogram& histogram)
 
 int GetMeanDepth(const DepthHistogram& histogram)
 {
-  __extension__ using Whole = unsigned __int128; // Weights may have 64 bits.
-  Whole sum = 0;
-  Whole total = 0;
+  WeightSum sum = 0;
+  WeightSum total = 0;
   for (std::size_t depth = 0; depth < histogram.size(); ++depth)
   {
-    sum += Whole(histogram[depth]) * depth;
+    sum += WeightSum(histogram[depth]) * depth;
     total += histogram[depth];
   }
   return total > 0 ? static_cast<int>((2 * sum + total) / (2 * total)) : 0;
@@ -93,7 +100,7 @@ int GetCheapestStartDepth(const DepthHistogram& histogram)
   int cheapest = 0;
   for (int depth = 1; depth < static_cast<int>(histogram.size()); ++depth)
   {
-    if (GetMeanCost(histogram, depth) < GetMeanCost(histogram, cheapest))
+    if (GetCost(histogram, depth) < GetCost(histogram, cheapest))
     {
       cheapest = depth;
     }

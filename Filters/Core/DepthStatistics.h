@@ -40,6 +40,9 @@ struct StartDepthOptions
 /** A weight for each depth, from 0 to the deepest: the paper's p_l * f_l, as exact integers. */
 using DepthHistogram = std::vector<std::uint64_t>;
 
+/** Weights multiplied by numbers of nodes, and their sums: exact, as weights may have 64 bits. */
+__extension__ using WeightSum = unsigned __int128;
+
 /** What a tree has at each depth, from 0 to the deepest; the three histograms have one length. */
 struct DepthCounts
 {
@@ -52,6 +55,8 @@ struct DepthCounts
 
   int GetDeepestDepth() const { return static_cast<int>(this->Leaves.size()) - 1; }
 };
+
+// All that follows is thread safe, and takes O(depths) unless it says otherwise.
 
 /**
  * The histogram of a frequency model. Grid weighs a leaf by the cells of the deepest depth that it
@@ -85,7 +90,8 @@ int GetMeanDepth(const DepthHistogram& histogram);
  * Local model the median. */
 int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options, int dimension);
 
-/** A start depth with the least mean cost, found by trying all; the smallest of equals. */
+/** A start depth with the least mean cost, found by trying all; the smallest of equals.
+ * O(depths^2). */
 int GetCheapestStartDepth(const DepthHistogram& histogram);
 }
 

@@ -145,6 +145,20 @@ TEST(TestDepthDecisionTree, TiesGoToTheMiddleThenToTheSmaller)
   EXPECT_EQ(DepthDecisionTree({ 0, 1, 0, 1, 0 }).GetRootDepth(), 1);
 }
 
+TEST(TestDepthDecisionTree, WeightsBeyondADoubleAreExact)
+{
+  // As many as cells of the grid model in a quadtree of depth 31.
+  constexpr std::uint64_t cells = std::uint64_t(1) << 60;
+  DepthHistogram histogram(32, 0);
+  histogram[1] = cells;
+  histogram[2] = cells + 1;
+  EXPECT_EQ(DepthDecisionTree(histogram).GetRootDepth(), 2);
+  histogram[1] += 2;
+  EXPECT_EQ(DepthDecisionTree(histogram).GetRootDepth(), 1);
+  histogram[2] += 1;
+  EXPECT_EQ(DepthDecisionTree(histogram).GetRootDepth(), 2) << "equal, and nearer to the middle";
+}
+
 TEST(TestDepthDecisionTree, WithoutWeightsIsABinarySearch)
 {
   for (int size = 1; size <= 32; ++size)

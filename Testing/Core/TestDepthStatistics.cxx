@@ -86,6 +86,16 @@ TEST(TestDepthStatistics, MedianCostsTheLeast)
   }
 }
 
+TEST(TestDepthStatistics, MedianOfTheGridModelCostsTheLeast)
+{
+  // From depths 1 to 3 the costs are equal to the last digit, of which a double has too few.
+  const DepthHistogram leaves{ 0, 2, 0, 30, 6, 7, 3, 1, 11, 0, 15, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 1,
+    10, 7, 2, 7, 3, 3, 3, 4 };
+  const DepthHistogram histogram = GetDepthHistogram({ leaves, {}, {} }, FrequencyModel::Grid, 2);
+  EXPECT_EQ(GetMedianDepth(histogram), 1);
+  EXPECT_EQ(GetCheapestStartDepth(histogram), 1);
+}
+
 TEST(TestDepthStatistics, FrequencyModels)
 {
   const DepthCounts counts{ { 0, 6, 16 }, { 0, 2, 10 }, { 0, 40, 7 } };
