@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoxKernels.h"
 
+#include "ForEachDimension.h"
 #include "Lanes.h"
 
 #include <algorithm>
@@ -288,9 +289,6 @@ const BoxKernels<Dim>& GetPlainBoxKernels()
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template const BoxKernels<Dim>& GetBoxKernels();                                                 \
   template const BoxKernels<Dim>& GetPlainBoxKernels();
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

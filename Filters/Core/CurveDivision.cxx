@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurveDivision.h"
 
+#include "ForEachDimension.h"
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -180,8 +182,7 @@ Parted<MortonKey<Dim>> CurveDivision<Dim>::GetOverlaps(std::size_t part, const K
   return overlaps;
 }
 
-template class CurveDivision<1>;
-template class CurveDivision<2>;
-template class CurveDivision<3>;
-template class CurveDivision<4>;
+#define HASHEDOCTREE_INSTANTIATE(Dim) template class CurveDivision<Dim>;
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistinctKeys.h"
 
+#include "ForEachDimension.h"
 #include "KeyedPoints.h"
 #include "MortonOrder.h"
 
@@ -35,9 +36,6 @@ std::vector<MortonKey<Dim>> GetDistinctKeys(
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template std::vector<MortonKey<Dim>> GetDistinctKeys(                                            \
     const std::vector<MortonKey<Dim>>&, const Execution&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DynamicOctree.h"
 
+#include "ForEachDimension.h"
 #include "NodeIndex.h"
 
 #include <cassert>
@@ -327,8 +328,7 @@ void DynamicOctree<Dim>::TellTable(Key node, std::uint32_t block)
   }
 }
 
-template class DynamicOctree<1>;
-template class DynamicOctree<2>;
-template class DynamicOctree<3>;
-template class DynamicOctree<4>;
+#define HASHEDOCTREE_INSTANTIATE(Dim) template class DynamicOctree<Dim>;
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FiniteBox.h"
 
+#include "ForEachDimension.h"
 #include "Lanes.h"
 
 #include <cstring>
@@ -76,9 +77,6 @@ std::optional<Box<Dim>> FindFiniteBox(const Real* coordinates, std::size_t count
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template std::optional<Box<Dim>> FindFiniteBox(const float*, std::size_t);                       \
   template std::optional<Box<Dim>> FindFiniteBox(const double*, std::size_t);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

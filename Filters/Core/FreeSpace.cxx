@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FreeSpace.h"
 
+#include "ForEachDimension.h"
+
 namespace hashedoctree
 {
 template <int Dim>
@@ -145,8 +147,7 @@ void FreeSpace<Dim>::Grow(CellSet& cells) const
   }
 }
 
-template class FreeSpace<1>;
-template class FreeSpace<2>;
-template class FreeSpace<3>;
-template class FreeSpace<4>;
+#define HASHEDOCTREE_INSTANTIATE(Dim) template class FreeSpace<Dim>;
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }

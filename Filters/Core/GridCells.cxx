@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridCells.h"
 
+#include "ForEachDimension.h"
 #include "Lanes.h"
 
 #if defined(__x86_64__)
@@ -144,9 +145,6 @@ void GetCellsPlainly(
   template void GetCells<Dim>(const Grid<Dim>&, const double*, std::size_t, Cell<Dim>*);           \
   template void GetCellsPlainly<Dim>(const Grid<Dim>&, const float*, std::size_t, Cell<Dim>*);     \
   template void GetCellsPlainly<Dim>(const Grid<Dim>&, const double*, std::size_t, Cell<Dim>*);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

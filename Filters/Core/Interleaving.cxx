@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Interleaving.h"
 
+#include "ForEachDimension.h"
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #define HASHEDOCTREE_WITH_PDEP __attribute__((target("bmi2")))
@@ -73,9 +75,6 @@ HASHEDOCTREE_WITH_PDEP void DepositCells(
   template HASHEDOCTREE_WITH_PDEP MortonKey<Dim> DepositCell<Dim>(const Cell<Dim>&, int);          \
   template HASHEDOCTREE_WITH_PDEP void DepositCells<Dim>(                                          \
     const Cell<Dim>*, std::size_t, MortonKey<Dim>*);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

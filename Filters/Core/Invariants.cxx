@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Invariants.h"
 
+#include "ForEachDimension.h"
+
 #include <map>
 #include <set>
 
@@ -221,9 +223,6 @@ std::vector<std::string> FindBrokenLaws(
     const Octree<Dim>&, PointSpan<Dim, float>, const PointSelection<Dim>&);                        \
   template std::vector<std::string> FindBrokenLaws(                                                \
     const Octree<Dim>&, PointSpan<Dim, double>, const PointSelection<Dim>&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

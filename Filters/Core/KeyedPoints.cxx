@@ -2,6 +2,7 @@
 #include "KeyedPoints.h"
 
 #include "FirstTouch.h"
+#include "ForEachDimension.h"
 #include "PointKeys.h"
 
 namespace hashedoctree
@@ -41,10 +42,7 @@ Buffer<KeyedPoint<Dim>> MakeKeyedPoints(Points points, const PointSelection<Dim>
     PointSpan<Dim, float>, const PointSelection<Dim>&, const Grid<Dim>&, const Execution&);        \
   template Buffer<KeyedPoint<Dim>> MakeKeyedPoints(                                                \
     PointSpan<Dim, double>, const PointSelection<Dim>&, const Grid<Dim>&, const Execution&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 template Buffer<KeyedPoint<2>> MakeKeyedPoints(
   PlaneSpan<float>, const PointSelection<2>&, const Grid<2>&, const Execution&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeafNumberShifts.h"
 
+#include "ForEachDimension.h"
 #include "RangeDepths.h"
 
 namespace hashedoctree
@@ -43,9 +44,6 @@ std::vector<std::int64_t> FindLeafNumberShifts(const Octree<Dim>& tree,
   template std::vector<std::int64_t> FindLeafNumberShifts(const Octree<Dim>&,                      \
     const CurveRange<Dim>&, const DepthCounts&, const DepthHistogram&, EmptyOctants,               \
     const Execution&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasuredCost.h"
 
+#include "ForEachDimension.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -195,8 +197,8 @@ MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
     GetMeans(part, total.Points, numberOfDepths, GetTotal(counts.Points)) };
 }
 
-template MeasuredCost MeasureCost(const TreePart<1>&, const Execution&);
-template MeasuredCost MeasureCost(const TreePart<2>&, const Execution&);
-template MeasuredCost MeasureCost(const TreePart<3>&, const Execution&);
-template MeasuredCost MeasureCost(const TreePart<4>&, const Execution&);
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template MeasuredCost MeasureCost(const TreePart<Dim>&, const Execution&);
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -2,6 +2,7 @@
 #include "MortonOrder.h"
 
 #include "FirstTouch.h"
+#include "ForEachDimension.h"
 
 #include <algorithm>
 #include <array>
@@ -452,9 +453,6 @@ void SortAlongMortonCurve(Buffer<KeyedPoint<Dim>>& points, std::size_t maxPoints
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template void SortAlongMortonCurve(                                                              \
     Buffer<KeyedPoint<Dim>>&, std::size_t, int, const Execution&, SpareMemory);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodeCorners.h"
 
+#include "ForEachDimension.h"
 #include "NodeWalk.h"
 #include "OpenCorners.h"
 
@@ -108,9 +109,6 @@ NodeCorners<Dim>::NodeCorners(const Buffer<typename Octree<Dim>::Node>& nodes, s
     const Buffer<Octree<Dim>::Node>&, std::size_t, int*, const Execution&);                        \
   template NodeCorners<Dim>::NodeCorners(                                                          \
     const Buffer<Octree<Dim>::Node>&, std::size_t, long long*, const Execution&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NodeList.h"
 
+#include "ForEachDimension.h"
+
 #include <utility>
 #include <vector>
 
@@ -59,9 +61,6 @@ Buffer<typename Octree<Dim>::Node> ListNodes(const Octree<Dim>& tree, NodeListOp
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template Buffer<Octree<Dim>::Node> ListNodes(                                                    \
     const Octree<Dim>&, NodeListOptions, const Execution&, const CurveRange<Dim>&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

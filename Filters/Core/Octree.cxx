@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Octree.h"
 
+#include "ForEachDimension.h"
 #include "MortonOrder.h"
 #include "OctreeBuilder.h"
 #include "PlaneSpan.h"
@@ -112,10 +113,7 @@ std::optional<typename Octree<Dim>::Node> Octree<Dim>::FindNode(Key key, EmptyOc
     const Octree<Dim>::Options&, const Execution&, SpareMemory);                                   \
   template Octree<Dim>::Octree(PointSpan<Dim, double>, const PointSelection<Dim>&,                 \
     const Octree<Dim>::Options&, const Execution&, SpareMemory);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 template Octree<2>::Octree(PlaneSpan<float>, const PointSelection<2>&, const Octree<2>::Options&,
   const Execution&, SpareMemory);

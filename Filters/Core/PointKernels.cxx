@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointKernels.h"
 
+#include "ForEachDimension.h"
 #include "Lanes.h"
 #include "PlacesOfBits.h"
 
@@ -260,9 +261,6 @@ const PointKernels<Dim, Real>& GetPlainPointKernels()
   template const PointKernels<Dim, double>& GetPointKernels();                                     \
   template const PointKernels<Dim, float>& GetPlainPointKernels();                                 \
   template const PointKernels<Dim, double>& GetPlainPointKernels();
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

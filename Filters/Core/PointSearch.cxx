@@ -2,6 +2,7 @@
 #include "PointSearch.h"
 
 #include "ClosestFew.h"
+#include "ForEachDimension.h"
 #include "PointBoxWalk.h"
 #include "PointCollectors.h"
 #include "PointWalk.h"
@@ -175,9 +176,6 @@ std::uint64_t PointSearch<Dim, Real>::CountNodesForWithin(const Box<Dim>& box) c
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template class PointSearch<Dim, float>;                                                          \
   template class PointSearch<Dim, double>;
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -2,6 +2,7 @@
 #include "PointSelection.h"
 
 #include "FiniteBox.h"
+#include "ForEachDimension.h"
 #include "PointIndex.h"
 
 #include <sstream>
@@ -111,9 +112,6 @@ PointSelection<Dim>::PointSelection(
     PointSpan<Dim, float>, const std::optional<Box<Dim>>&, const Execution&);                      \
   template PointSelection<Dim>::PointSelection(                                                    \
     PointSpan<Dim, double>, const std::optional<Box<Dim>>&, const Execution&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointTree.h"
 
+#include "ForEachDimension.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -409,9 +411,6 @@ const PointTree<Dim, Real>* PointTree<Dim, Real>::FindNested(PointIndex firstPoi
 #define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
   template class PointTree<Dim, float>;                                                            \
   template class PointTree<Dim, double>;
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

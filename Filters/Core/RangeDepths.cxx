@@ -2,6 +2,7 @@
 #include "RangeDepths.h"
 
 #include "DepthTally.h"
+#include "ForEachDimension.h"
 
 namespace hashedoctree
 {
@@ -34,8 +35,8 @@ DepthCounts CountDepths(
   return all.GetCounts();
 }
 
-template DepthCounts CountDepths(const Octree<1>&, const CurveRange<1>&, const Execution&);
-template DepthCounts CountDepths(const Octree<2>&, const CurveRange<2>&, const Execution&);
-template DepthCounts CountDepths(const Octree<3>&, const CurveRange<3>&, const Execution&);
-template DepthCounts CountDepths(const Octree<4>&, const CurveRange<4>&, const Execution&);
+#define HASHEDOCTREE_INSTANTIATE(Dim)                                                              \
+  template DepthCounts CountDepths(const Octree<Dim>&, const CurveRange<Dim>&, const Execution&);
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StartDepths.h"
 
+#include "ForEachDimension.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -98,8 +100,7 @@ double StartDepths<Dim>::GetMeanCost(const TreePart<Dim>& part, FrequencyModel f
   return hashedoctree::GetMeanCost(distances, 0);
 }
 
-template class StartDepths<1>;
-template class StartDepths<2>;
-template class StartDepths<3>;
-template class StartDepths<4>;
+#define HASHEDOCTREE_INSTANTIATE(Dim) template class StartDepths<Dim>;
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }
