@@ -20,7 +20,7 @@ namespace hashedoctree
 namespace
 {
 /** The flat indices of the blocks that have points. */
-std::vector<std::uint64_t> ListPlaces(vtkCompositeDataSet* composite)
+std::vector<std::uint64_t> ListPlacesOfPoints(vtkCompositeDataSet* composite)
 {
   std::vector<std::uint64_t> places;
   const auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
@@ -54,7 +54,7 @@ QueryBlocks::QueryBlocks(vtkDataObject* points, vtkDataObject* queries,
     throw std::invalid_argument("AMR query points cannot be searched for in blocks of points; "
                                 "merge the blocks of either input.");
   }
-  this->Places = processes.Gather(ListPlaces(this->Composite)).Values;
+  this->Places = processes.Gather(ListPlacesOfPoints(this->Composite)).Values;
   std::sort(this->Places.begin(), this->Places.end());
   this->Places.erase(std::unique(this->Places.begin(), this->Places.end()), this->Places.end());
   this->Blocks.resize(this->Places.size(), nullptr);

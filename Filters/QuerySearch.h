@@ -59,10 +59,11 @@ public:
   /** For a position in the part, given its key at MaxDepth. */
   FoundQuery<Dim> Find(MortonKey<Dim> key) const
   {
-    const FoundLeaf<Dim> leaf = FindLeaf(this->Tree, key,
-      this->Searches.GetStartDepth(Comparison::Chosen), this->Numbers.GetReading());
-    return { leaf.Exists ? this->GetNumber(leaf) : -1, leaf.Key,
-      this->Searches.CountExaminedNodes(key) };
+    FoundQuery<Dim> found;
+    const FoundLeaf<Dim> leaf = this->Searches.Find(key, this->Numbers.GetReading(), found.Costs);
+    found.LeafId = leaf.Exists ? this->GetNumber(leaf) : -1;
+    found.LeafKey = leaf.Key;
+    return found;
   }
 
 private:

@@ -46,17 +46,13 @@ constexpr std::size_t NumberOfCases = vtkHashedOctreeNeighborsFilter::Above + 1;
 template <int Dim>
 using Neighbors = std::vector<hashedoctree::Neighbor<Dim>>;
 
-int GetCase(NeighborCase neighborCase)
+/** The case of a neighbour by its depth, and that of the node that it is a neighbour of. */
+int GetCase(int depth, int nodeDepth)
 {
-  switch (neighborCase)
-  {
-    case NeighborCase::SameDepth:
-      return vtkHashedOctreeNeighborsFilter::SameDepth;
-    case NeighborCase::Descended:
-      return vtkHashedOctreeNeighborsFilter::Descended;
-    default:
-      return vtkHashedOctreeNeighborsFilter::Above;
-  }
+  using Filter = vtkHashedOctreeNeighborsFilter;
+  return depth == nodeDepth ? Filter::SameDepth
+    : depth > nodeDepth     ? Filter::Descended
+                            : Filter::Above;
 }
 
 /** The query leaf, where it is given, then its neighbours. */
@@ -82,9 +78,10 @@ Buffer<Node<Dim>> ListQueryAndNeighbors(const Octree<Dim>& tree,
   return nodes;
 }
 
-/** Cell arrays Role and Case (active). Returns the number of neighbours of each case. */
+/** Cell arrays Role and Case (active) of the query leaf, if it is there, and its neighbours.
+ * Returns the number of neighbours of each case. */
 template <int Dim>
-CaseCounts AddNeighborArrays(vtkUnstructuredGrid* output, std::size_t queries,
+CaseCounts AddNeighborArrays(vtkUnstructuredGrid* output, std::size_t queries, int queryDepth,
   const Neighbors<Dim>& neighbors, const Execution& execution)
 {
   using Filter = vtkHashedOctreeNeighborsFilter;
@@ -101,7 +98,7 @@ CaseCounts AddNeighborArrays(vtkUnstructuredGrid* output, std::size_t queries,
       CaseCounts ofChunk(NumberOfCases);
       for (std::size_t i = first; i < last; ++i)
       {
-        const int neighborCase = GetCase(neighbors[i].Case);
+        const int neighborCase = GetCase(neighbors[i].Key.GetDepth(), queryDepth);
         roles->SetValue(static_cast<vtkIdType>(queries + i), Filter::Neighbor);
         cases->SetValue(static_cast<vtkIdType>(queries + i), neighborCase);
         ++ofChunk[static_cast<std::size_t>(neighborCase)];
@@ -266,7 +263,8 @@ private:
       octree.Tree, listed, neighbors, execution.Part(OctreePass::BuildShare, NodesShare));
     OctreeCells<Dim>(octree.Tree, startDepth, nodes, octree.Frame, apart)
       .MakeVoxels(cells, execution.Part(NodesShare, CellsShare));
-    return AddNeighborArrays<Dim>(cells, apart, neighbors, execution.Part(CellsShare, 1.0));
+    return AddNeighborArrays<Dim>(
+      cells, apart, query.GetDepth(), neighbors, execution.Part(CellsShare, 1.0));
   }
 
   vtkHashedOctreeNeighborsFilter* Self;

@@ -83,9 +83,8 @@ public:
   };
 
   /** The array Case (paper sections 3b and 3c): the query leaf itself; a neighbour of its depth
-   * (case 1 of the paper); one deeper, below a node of that depth (case 2); one higher, at a
-   * place where there is no node of that depth (case 3), which an in-radius search may also meet on
-   * its way down. */
+   * (case 1 of the paper); a deeper one, below a node of that depth (case 2); a higher one, where
+   * there is no node of that depth (case 3). */
   enum Cases
   {
     QueryLeaf = 0,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AdjacentSearch.h"
 
+#include "ForEachDimension.h"
 #include "NeighborBuffer.h"
 #include "NeighborCells.h"
 #include "NeighborDirection.h"
@@ -36,7 +37,7 @@ public:
       [this, apart, own](unsigned corner, Key key, const Entry& entry)
       { this->SearchChildren((corner ^ own) & apart, key, entry); },
       [this](const FoundLeaf<Dim>& leaf) {
-        this->Leaves.Add({ leaf.Key, leaf.ParentBlock, NeighborCase::Above });
+        this->Leaves.Add({ leaf.Key, leaf.ParentBlock });
       });
     this->Leaves.Flush();
   }
@@ -71,7 +72,7 @@ private:
     this->Tree.PrefetchChildren(parentKey, entry.Internal & touching);
     const unsigned others =
       across == 0 ? touching & ~(1U << own) : touching; // Not the node itself.
-    this->SearchOctants(parentKey, entry, others, NeighborCase::SameDepth,
+    this->SearchOctants(parentKey, entry, others,
       [this, parentKey, across, own](unsigned octant)
       {
         // Across the border of the node's own parent a step up leads to a lower octant.
@@ -86,15 +87,14 @@ private:
   {
     const Entry& entry = *this->Tree.GetTable().Find(key.GetValue());
     this->Tree.PrefetchChildren(key, entry.Internal & touching);
-    this->SearchOctants(key, entry, touching, NeighborCase::Descended,
+    this->SearchOctants(key, entry, touching,
       [this, key, touching](unsigned octant) { this->Descend(key.GetChild(octant), touching); });
   }
 
   /** Lists those children of a node that are leaves, and calls onInternal(octant) for those that
    * are internal, in the order of octants. */
   template <typename OnInternal>
-  void SearchOctants(Key key, const Entry& entry, unsigned octants, NeighborCase neighborCase,
-    const OnInternal& onInternal)
+  void SearchOctants(Key key, const Entry& entry, unsigned octants, const OnInternal& onInternal)
   {
     this->Examined.Enter(key);
     this->Examined.AddNodes(__builtin_popcount(octants));
@@ -102,11 +102,11 @@ private:
     for (unsigned internal = rest & entry.Internal; internal != 0; internal &= internal - 1)
     {
       const unsigned first = internal & -internal;
-      this->Leaves.AddChildren(PlainMachine(), key, rest & (first - 1U), entry.Block, neighborCase);
+      this->Leaves.AddChildren(PlainMachine(), key, rest & (first - 1U), entry.Block);
       onInternal(static_cast<unsigned>(__builtin_ctz(first)));
       rest &= ~(2U * first - 1U);
     }
-    this->Leaves.AddChildren(PlainMachine(), key, rest, entry.Block, neighborCase);
+    this->Leaves.AddChildren(PlainMachine(), key, rest, entry.Block);
   }
 
   const Octree<Dim>& Tree;
@@ -133,9 +133,6 @@ void FindAdjacentLeaves(const Octree<Dim>& tree, MortonKey<Dim> node, int startD
     const Octree<Dim>&, MortonKey<Dim>, int, std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants); \
   template void FindAdjacentLeaves(const Octree<Dim>&, MortonKey<Dim>, int,                        \
     std::vector<Neighbor<Dim>>&, RangeCount<Dim>&, EmptyOctants);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

@@ -11,7 +11,7 @@ namespace hashedoctree
  * Direct search that goes from depth to depth by decisions instead of child by child: the same leaf
  * as by FindLeaf() of DirectSearch.h, whatever the decisions are, and decisions.GetCost(l) nodes
  * examined for a leaf at depth l. They may come from any histogram that ends at MortonKey::MaxDepth
- * or before. The case tells where the leaf lies from the first depth.
+ * or before.
  *
  * Which node is examined next is known only when the last one is, while the search of
  * DirectSearch.h asks for nodes ahead: so the fewest nodes are not always the least time. Other
@@ -24,8 +24,7 @@ FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key,
   int depth = decisions.GetRootDepth();
   const auto found = [&](std::uint32_t block, bool occupied)
   {
-    return FoundLeaf<Dim>{ key.AtDepth(depth), block,
-      GetSearchCase(depth, decisions.GetRootDepth()), occupied || reading == EmptyOctants::Leaves };
+    return FoundLeaf<Dim>{ key.AtDepth(depth), block, occupied || reading == EmptyOctants::Leaves };
   };
   for (;;)
   {

@@ -17,14 +17,11 @@ namespace hashedoctree
  * more of the tree is outside of the caches the more that saves.
  *
  * Positions are placed as by Grid::GetKey(), also those that are outside the root or not finite.
- * getStartDepth(key) says where the search for a key at MaxDepth starts, in [0, MaxDepth]. Other
- * arguments, and the cost, as of FindLeaf(); the tree must have GetGrid(), too. Allocates nothing.
- * Thread safe.
+ * Other arguments, and the cost, as of FindLeaf(). Allocates nothing. Thread safe.
  */
-template <template <int> class Tree, int Dim, typename Points, typename GetStartDepth,
-  typename OnLeaf>
-void FindLeaves(const Tree<Dim>& tree, const Points& positions, std::size_t first, std::size_t last,
-  const GetStartDepth& getStartDepth, const OnLeaf& onLeaf,
+template <int Dim, typename Points, typename OnLeaf>
+void FindLeaves(const Octree<Dim>& tree, const Points& positions, std::size_t first,
+  std::size_t last, int startDepth, const OnLeaf& onLeaf,
   EmptyOctants reading = EmptyOctants::Leaves)
 {
   // Flat: a call for each search would take a fifth of the time where there are few nodes.
@@ -32,7 +29,6 @@ void FindLeaves(const Tree<Dim>& tree, const Points& positions, std::size_t firs
   {
     constexpr std::size_t groupSize = 16; // Loads that a machine has on their way at a time.
     std::array<MortonKey<Dim>, groupSize> keys;
-    std::array<int, groupSize> startDepths;
     NoCount examined;
     for (; first < last; first += groupSize)
     {
@@ -40,12 +36,11 @@ void FindLeaves(const Tree<Dim>& tree, const Points& positions, std::size_t firs
       GetKeys<Dim>(tree.GetGrid(), positions, first, count, keys.data());
       for (std::size_t i = 0; i < count; ++i)
       {
-        startDepths[i] = getStartDepth(keys[i]);
-        ask(keys[i], std::max(startDepths[i] - 1, 0));
+        ask(keys[i], std::max(startDepth - 1, 0));
       }
       for (std::size_t i = 0; i < count; ++i)
       {
-        onLeaf(first + i, FindLeafAsking(tree, keys[i], startDepths[i], examined, reading, ask));
+        onLeaf(first + i, FindLeafAsking(tree, keys[i], startDepth, examined, reading, ask));
       }
     }
   };

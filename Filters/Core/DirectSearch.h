@@ -10,29 +10,12 @@
 
 namespace hashedoctree
 {
-/** The three cases of the direct search (paper section 3a). */
-enum class SearchCase
-{
-  Hit,  ///< Case 1: the node at the start depth is the leaf.
-  Down, ///< Case 2: it is an internal node; the leaf lies deeper.
-  Up    ///< Case 3: it does not exist; the leaf lies higher.
-};
-
-/** The case of a search from a start depth that ends at a depth. */
-constexpr SearchCase GetSearchCase(int depth, int startDepth)
-{
-  return depth == startDepth ? SearchCase::Hit
-    : depth < startDepth     ? SearchCase::Up
-                             : SearchCase::Down;
-}
-
 /** The leaf of a position, or the empty cell that a sparse tree has in its place. */
 template <int Dim>
 struct FoundLeaf
 {
   MortonKey<Dim> Key;
   std::uint32_t ParentBlock; ///< Block that describes it; 0 for the root.
-  SearchCase Case;
   /** False in the sparse reading where no leaf holds the position: Key is then the empty cell, the
    * missing child of the deepest existing node (paper E4). */
   bool Exists;
@@ -109,7 +92,7 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
     count.AddNode();
     if (!tree.IsRootInternal())
     {
-      return { MortonKey<Dim>::Root(), 0, GetSearchCase(0, startDepth),
+      return { MortonKey<Dim>::Root(), 0,
         tree.GetNumberOfPoints() != 0 || reading == EmptyOctants::Leaves };
     }
     parent = table.Find(MortonKey<Dim>::Root().GetValue());
@@ -127,14 +110,16 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
     count.AddNode();
     octant = key.AtDepth(depth).GetOctant();
   }
-  return { key.AtDepth(depth), parent->Block, GetSearchCase(depth, startDepth),
+  return { key.AtDepth(depth), parent->Block,
     (parent->Occupied >> octant & 1U) != 0 || reading == EmptyOctants::Leaves };
 }
 
 /**
  * Direct search (paper Algorithm 1): the leaf that holds a position, found by starting at an
- * estimated depth. The node there is reached directly through the table, and so are those below it
- * or above it, one after the other, until one is a leaf.
+ * estimated depth. The node there is reached directly through the table. It is the leaf (case 1 of
+ * paper section 3a), or an internal node, and the leaf is deeper (case 2), or does not exist, and
+ * the leaf is higher (case 3): so the nodes below it or above it are reached, one after the other,
+ * until one is a leaf.
  *
  * The node at depth l is examined by reading what the table tells of its parent: that the node is
  * internal, that it is a leaf, or, when there is no such parent, that it does not exist. So a leaf

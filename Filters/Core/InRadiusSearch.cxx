@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InRadiusSearch.h"
 
+#include "ForEachDimension.h"
 #include "NeighborBuffer.h"
 #include "NodeBall.h"
 
@@ -20,7 +21,6 @@ public:
     : Tree(tree)
     , Parent(node.GetParent())
     , OctantBit(1U << node.GetOctant())
-    , Depth(node.GetDepth())
     , Ball(ball)
     , Reading(reading)
     , Leaves(found)
@@ -63,7 +63,6 @@ private:
     Corner lower;
     this->Ball.GetLower(cover.Lower, cover.Depth, lower);
     const double size = NodeBall<Dim>::GetSize(cover.Depth);
-    const NeighborCase neighborCase = this->GetCase(cover.Depth + 1);
     Group cells;
     std::size_t count = 0;
     std::uint64_t internal = 0;
@@ -81,7 +80,7 @@ private:
         cell.Block = entry.Block;
         NodeBall<Dim>::GetLowerOfOctant(lower, size, corner, cell.Lower);
         this->Tree.PrefetchOctants(cell.Block);
-        internal |= std::uint64_t(this->ListLeaves(machine, cell, entry, 0.5 * size, neighborCase))
+        internal |= std::uint64_t(this->ListLeaves(machine, cell, entry, 0.5 * size))
           << (count * Key::NumberOfOctants);
         ++count;
       },
@@ -90,7 +89,7 @@ private:
         const Key key = leaf.Key;
         if (this->Ball.Meets(key.GetCell(), key.GetDepth()))
         {
-          this->Leaves.Add({ key, leaf.ParentBlock, NeighborCase::Above });
+          this->Leaves.Add({ key, leaf.ParentBlock });
         }
       });
     for (std::size_t i = 0; i < count; ++i)
@@ -118,7 +117,6 @@ private:
     Machine machine, const Group& parents, std::uint64_t internal, int depth)
   {
     const double size = NodeBall<Dim>::GetSize(depth);
-    const NeighborCase neighborCase = this->GetCase(depth + 1);
     while (internal != 0)
     {
       Group nodes;
@@ -135,8 +133,7 @@ private:
         NodeBall<Dim>::GetLowerOfOctant(parent.Lower, size, octant, node->Lower);
         const Octants& children = this->Tree.GetOctants(node->Block);
         this->Tree.PrefetchOctants(children.FirstChild);
-        below |= std::uint64_t(this->ListLeaves(machine, *node, children, 0.5 * size, neighborCase))
-          << shift;
+        below |= std::uint64_t(this->ListLeaves(machine, *node, children, 0.5 * size)) << shift;
         ++node;
       }
       if (below != 0)
@@ -149,8 +146,8 @@ private:
   /** Lists those children of a node that are leaves and meet the ball, and returns those that are
    * internal nodes and meet it. `size` is theirs. */
   template <typename Machine, typename Children>
-  HASHEDOCTREE_INLINE std::uint32_t ListLeaves(Machine machine, const Node& node,
-    const Children& children, double size, NeighborCase neighborCase)
+  HASHEDOCTREE_INLINE std::uint32_t ListLeaves(
+    Machine machine, const Node& node, const Children& children, double size)
   {
     const std::uint32_t others = this->GetOthers(node.NodeKey);
     this->Examined.Enter(node.NodeKey);
@@ -158,8 +155,7 @@ private:
     const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : children.Occupied;
     const std::uint32_t meeting =
       others & nodes & this->Ball.GetMeetingOctants(machine, node.Lower, size);
-    this->Leaves.AddChildren(
-      machine, node.NodeKey, meeting & ~children.Internal, node.Block, neighborCase);
+    this->Leaves.AddChildren(machine, node.NodeKey, meeting & ~children.Internal, node.Block);
     return meeting & children.Internal;
   }
 
@@ -171,17 +167,9 @@ private:
     return all ^ this->OctantBit * static_cast<std::uint32_t>(key == this->Parent);
   }
 
-  NeighborCase GetCase(int depth) const
-  {
-    static constexpr NeighborCase cases[] = { NeighborCase::Above, NeighborCase::SameDepth,
-      NeighborCase::Descended };
-    return cases[static_cast<int>(depth >= this->Depth) + static_cast<int>(depth > this->Depth)];
-  }
-
   const Octree<Dim>& Tree;
   const Key Parent;              ///< Of the node that is searched from,
-  const std::uint32_t OctantBit; ///< the bit of its octant there,
-  const int Depth;               ///< and its depth.
+  const std::uint32_t OctantBit; ///< and the bit of its octant there.
   const NodeBall<Dim>& Ball;
   const EmptyOctants Reading;
   NeighborBuffer<Dim> Leaves;
@@ -223,9 +211,6 @@ void FindLeavesInRadius(const Octree<Dim>& tree, MortonKey<Dim> node, double rad
     std::vector<Neighbor<Dim>>&, NoCount&, EmptyOctants);                                          \
   template void FindLeavesInRadius(const Octree<Dim>&, MortonKey<Dim>, double, int,                \
     std::vector<Neighbor<Dim>>&, RangeCount<Dim>&, EmptyOctants);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 }

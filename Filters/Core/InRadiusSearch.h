@@ -16,19 +16,19 @@ namespace hashedoctree
  *
  * `node` is any existing node, leaf or internal; itself, and what lies in it, is left out. The root
  * has no neighbours. `radius` is in world units: negative or NaN finds nothing, infinite all other
- * leaves. It may be larger than the node (E14): instead of all cells of the node's size in the
- * ball, of which there can be millions, the search looks at the at most 2^Dim cells that cover the
- * ball, of the deepest depth whose cells are as wide (NodeBall::GetCover()). It reaches each
- * directly through the table, or finds the leaf above by a direct search from min(startDepth, depth
- * of these cells), and goes down through the octants of the children that meet the ball, which
- * stand side by side; some nodes of one depth together, so that the machine loads what they tell at
- * once.
+ * leaves. It may be larger than the node (E14). The cells of the node's size in the ball can be
+ * millions, so the search begins with the cells that cover the ball: at most 2^Dim, of the deepest
+ * depth whose cells are as wide (NodeBall::GetCover()). Each is reached directly through the table;
+ * where there is none, a direct search from min(startDepth, depth of these cells) finds the leaf
+ * above. From there the search goes down through the octants of the children that meet the ball,
+ * which stand side by side: some nodes of one depth together, so that the machine loads what they
+ * tell at once.
  *
- * `found` is replaced by the leaves, each once, in an order that depends on the tree, the node and
- * the radius alone: for one covering cell after the other the leaf above it or its children that
- * are leaves, then depth by depth what is below them as long as these nodes are few, and so on
- * below groups of them. In the sparse reading empty octants are no leaves, and an internal node is
- * never found in their place (E4, E5).
+ * `found` is replaced by the leaves, each once. Their order depends on the tree, the node and the
+ * radius alone: for one covering cell after the other the leaf above it or its children that are
+ * leaves; then what is below its other children, depth by depth as long as these are few, else
+ * group by group. In the sparse reading empty octants are no leaves, and an internal node is never
+ * found in their place (E4, E5).
  *
  * `startDepth`, any depth in [0, MortonKey::MaxDepth], changes the cost, never the answer. Counted
  * are the children looked at on the way down, and for each leaf above, or empty cell in its place,

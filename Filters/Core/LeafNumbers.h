@@ -40,7 +40,8 @@ public:
     }
   }
 
-  /** The number of a leaf that exists, as found by a search in the tree in the same reading. */
+  /** The number of a leaf that exists, as found by a search in the tree in the same reading.
+   * O(1). */
   PointIndex Get(const Octree<Dim>& tree, const FoundLeaf<Dim>& leaf) const
   {
     if (!tree.IsRootInternal())

@@ -15,12 +15,12 @@ namespace hashedoctree
  * from the points and the limits alone, not from the number of threads. With one point per leaf and
  * MortonKey::MaxDepth, all points stand by key, then by id.
  *
- * Points that come in the order of their keys are left as they are; else it is a radix partition
- * from the root downwards, several depths at a time: depths that do not part the
- * points of a node cost one pass of reading, of a large node all of them together one more, and
- * nodes of a few points are sorted by insertion.
- * O(n) for n points; uses a second array of the same size, which is in the spare memory if that is
- * large enough. Throws Interrupted; the points are then in no particular order.
+ * Points that come in the order of their keys are left as they are. Others are partitioned by
+ * radix, from the root downwards, several depths at a time. Depths that do not part the points of a
+ * node cost one pass of reading; a large node passes over all of them in one more. A few points are
+ * sorted by insertion. O(n) for n points; uses a second array of the same size, which is in the
+ * spare memory if that is large enough. Throws Interrupted; the points are then in no particular
+ * order.
  */
 template <int Dim>
 void SortAlongMortonCurve(Buffer<KeyedPoint<Dim>>& points, std::size_t maxPointsPerLeaf,

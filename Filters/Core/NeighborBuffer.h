@@ -39,11 +39,10 @@ public:
 
   /** Adds those children of a node whose bits are set, in the order of octants. `block` is the one
    * that describes them. */
-  void AddChildren(PlainMachine, MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block,
-    NeighborCase neighborCase)
+  void AddChildren(PlainMachine, MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block)
   {
     this->MakeRoom();
-    Words leaf = GetWords({ node.GetChild(0), block, neighborCase });
+    Words leaf = GetWords({ node.GetChild(0), block });
     const std::uint64_t key = leaf[0];
     for (unsigned first = 0; first < MortonKey<Dim>::NumberOfOctants; first += Width)
     {
@@ -61,11 +60,11 @@ public:
 
 #if defined(__x86_64__)
   /** The same by AVX2. */
-  HASHEDOCTREE_WITH_AVX2 void AddChildren(Avx2Machine, MortonKey<Dim> node, std::uint32_t octants,
-    std::uint32_t block, NeighborCase neighborCase)
+  HASHEDOCTREE_WITH_AVX2 void AddChildren(
+    Avx2Machine, MortonKey<Dim> node, std::uint32_t octants, std::uint32_t block)
   {
     this->MakeRoom();
-    const Words leaf = GetWords({ node.GetChild(0), block, neighborCase });
+    const Words leaf = GetWords({ node.GetChild(0), block });
     const __m256i other = _mm256_set1_epi64x(static_cast<long long>(leaf[1]));
     for (unsigned first = 0; first < MortonKey<Dim>::NumberOfOctants; first += Width)
     {
@@ -103,7 +102,7 @@ private:
   static Words GetWords(const Neighbor<Dim>& leaf)
   {
     Words words;
-    static_assert(sizeof(words) == sizeof(leaf), "nothing else is in a leaf");
+    static_assert(sizeof(words) == sizeof(leaf), "a leaf is two numbers, the second in part");
     std::memcpy(words.data(), &leaf, sizeof(words));
     return words;
   }

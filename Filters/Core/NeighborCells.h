@@ -63,9 +63,9 @@ struct NeighborCells
  * paper Algorithm 2, with the depth of E5) and given to onLeaf(leaf), each once however many of the
  * cells it holds, and empty cells of a sparse tree not at all.
  *
- * Counts for each of these leaves, and of the empty cells in their place, one node and those that
- * the direct search for it examines; onBlock counts what it looks at. Allocates nothing. Thread
- * safe.
+ * For each of these leaves, and of the empty cells in their place, it counts one node and those
+ * that the direct search examines; what lies below internal nodes is for onBlock to count.
+ * Allocates nothing. Thread safe.
  */
 template <int Dim, typename Count, typename OnBlock, typename OnLeaf>
 HASHEDOCTREE_INLINE void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells,

@@ -56,7 +56,8 @@ public:
   std::size_t GetSlot(std::uint64_t key) const
   {
     __extension__ using Product = unsigned __int128;
-    const std::uint64_t mixed = key * 0x9e3779b97f4a7c15U;
+    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // 2^64 by the golden ratio.
+    const std::uint64_t mixed = key * golden;
     return static_cast<std::size_t>(Product(mixed) * this->NumberOfSlots >> 64);
   }
 

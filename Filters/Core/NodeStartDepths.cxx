@@ -2,6 +2,7 @@
 #include "NodeStartDepths.h"
 
 #include "AdjacentSearch.h"
+#include "ForEachDimension.h"
 
 namespace hashedoctree
 {
@@ -26,7 +27,7 @@ NodeStartDepths<Dim>::NodeStartDepths(const Octree<Dim>& tree, const Execution& 
           above.assign(numberOfDepths, 0);
           for (const Neighbor<Dim>& neighbor : found)
           {
-            if (neighbor.Case == NeighborCase::Above)
+            if (neighbor.Key.GetDepth() < node.GetDepth())
             {
               ++above[static_cast<std::size_t>(neighbor.Key.GetDepth())];
             }
@@ -37,8 +38,7 @@ NodeStartDepths<Dim>::NodeStartDepths(const Octree<Dim>& tree, const Execution& 
     });
 }
 
-template class NodeStartDepths<1>;
-template class NodeStartDepths<2>;
-template class NodeStartDepths<3>;
-template class NodeStartDepths<4>;
+#define HASHEDOCTREE_INSTANTIATE(Dim) template class NodeStartDepths<Dim>;
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -10,10 +10,9 @@ namespace hashedoctree
 {
 /**
  * For every node the start depth from which its adjacent search examines the fewest nodes (end of
- * paper section 4). The paper asks for the median of a distribution of its own for each node,
- * and uses it in case 3 only; so it is the median of the depths of those leaves that case 3 of the
- * search for this node finds, each weighing one, with the ties of GetMedianDepth(). 0 where there
- * is no case 3.
+ * paper section 4). The paper asks for a median for each node, and uses it in case 3 only. So this
+ * is the median depth of the leaves that case 3 finds for the node, each weighing one, with the
+ * ties of GetMedianDepth(). 0 where there is no case 3.
  *
  * One byte for each node but the root, 2^Dim for each block. Immutable; thread safe. Not for
  * in-radius searches, in which the leaves above depend on the radius.

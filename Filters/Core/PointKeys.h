@@ -45,7 +45,8 @@ void GetCells(const Grid<Dim>& grid, PlaneSpan<Real> points, std::size_t first, 
 
 ///@{
 /** The keys at MaxDepth of these points, those of Grid::GetKey(), several at a time; `count` at
- * most MostKeysAtOnce. Points that are not finite get keys of the root's cells, too. O(count). */
+ * most MostKeysAtOnce. Points that are not finite get keys of the root's cells, too. O(count).
+ * Thread safe. */
 template <int Dim, typename Points>
 void GetKeys(const Grid<Dim>& grid, const Points& points, std::size_t first, std::size_t count,
   MortonKey<Dim>* keys)

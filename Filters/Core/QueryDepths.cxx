@@ -2,6 +2,7 @@
 #include "QueryDepths.h"
 
 #include "DirectBatch.h"
+#include "ForEachDimension.h"
 
 #include <algorithm>
 #include <array>
@@ -45,8 +46,7 @@ DepthHistogram MeasureQueryDepths(
     [&](std::size_t first, std::size_t last)
     {
       PerDepth counts{};
-      FindLeaves(
-        tree, keys, first, last, [startDepth](MortonKey<Dim>) { return startDepth; },
+      FindLeaves(tree, keys, first, last, startDepth,
         [&counts, keys](std::size_t i, const FoundLeaf<Dim>& leaf)
         {
           const bool isCounted = keys.Keys[i] != MortonKey<Dim>(0);
@@ -70,10 +70,7 @@ DepthHistogram MeasureQueryDepths(
   template Buffer<MortonKey<Dim>> GetQueryKeys(                                                    \
     const Grid<Dim>&, PointSpan<Dim, double>, const Execution&);                                   \
   template DepthHistogram MeasureQueryDepths(const Octree<Dim>&, KeySpan<Dim>, const Execution&);
-HASHEDOCTREE_INSTANTIATE(1)
-HASHEDOCTREE_INSTANTIATE(2)
-HASHEDOCTREE_INSTANTIATE(3)
-HASHEDOCTREE_INSTANTIATE(4)
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
 #undef HASHEDOCTREE_INSTANTIATE
 template Buffer<MortonKey<2>> GetQueryKeys(const Grid<2>&, PlaneSpan<float>, const Execution&);
 template Buffer<MortonKey<2>> GetQueryKeys(const Grid<2>&, PlaneSpan<double>, const Execution&);

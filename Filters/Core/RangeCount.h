@@ -9,7 +9,7 @@
 namespace hashedoctree
 {
 /** Counts the nodes that a neighbour search examines on behalf of nodes in a range of the curve:
- * those of ranges that divide the curve add up to those of the whole curve. */
+ * those of ranges that divide the curve add up to those of the whole curve. For one thread. */
 template <int Dim>
 class RangeCount
 {

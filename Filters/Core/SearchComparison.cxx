@@ -2,6 +2,7 @@
 #include "SearchComparison.h"
 
 #include "DecisionSearch.h"
+#include "ForEachDimension.h"
 
 namespace hashedoctree
 {
@@ -44,22 +45,23 @@ int SearchComparison<Dim>::GetStartDepth(Search search) const
 }
 
 template <int Dim>
-auto SearchComparison<Dim>::CountExaminedNodes(MortonKey<Dim> key) const -> Costs
+FoundLeaf<Dim> SearchComparison<Dim>::Find(
+  MortonKey<Dim> key, EmptyOctants reading, Costs& costs) const
 {
-  Costs costs;
+  const Octree<Dim>& tree = this->Part.GetTree();
+  FoundLeaf<Dim> leaf; // The same for all.
   for (std::size_t search = 0; search < NumberOfSearches; ++search)
   {
     NodeCount count;
-    search == DecisionTree
-      ? FindLeaf(this->Part.GetTree(), key, this->Decisions, count)
-      : FindLeaf(this->Part.GetTree(), key, this->Starts[search].Get(key), count);
+    leaf = search == DecisionTree
+      ? FindLeaf(tree, key, this->Decisions, count, reading)
+      : FindLeaf(tree, key, this->Starts[search].Get(key), count, reading);
     costs[search] = count.Nodes;
   }
-  return costs;
+  return leaf;
 }
 
-template class SearchComparison<1>;
-template class SearchComparison<2>;
-template class SearchComparison<3>;
-template class SearchComparison<4>;
+#define HASHEDOCTREE_INSTANTIATE(Dim) template class SearchComparison<Dim>;
+HASHEDOCTREE_FOR_EACH_DIMENSION(HASHEDOCTREE_INSTANTIATE)
+#undef HASHEDOCTREE_INSTANTIATE
 }

@@ -3,6 +3,7 @@
 #define hashedoctree_SearchComparison_h
 
 #include "DepthDecisionTree.h"
+#include "DirectSearch.h"
 #include "StartDepths.h"
 
 #include <array>
@@ -51,9 +52,9 @@ public:
    * model says. 0 where that has no weight. */
   double GetPredictedMean(Search search) const { return this->PredictedMeans[search]; }
 
-  /** How many nodes each search for a position in the part examines, given its key at MaxDepth.
-   * Every search is made and counted; nothing comes from the cost model. */
-  Costs CountExaminedNodes(MortonKey<Dim> key) const;
+  /** The leaf of a position in the part, given its key at MaxDepth, and how many nodes each search
+   * for it examines. Every search is made and counted; nothing comes from the cost model. */
+  FoundLeaf<Dim> Find(MortonKey<Dim> key, EmptyOctants reading, Costs& costs) const;
 
 private:
   TreePart<Dim> Part;

@@ -226,10 +226,6 @@ class Stage:
         origin = self.middle - behind * self.front
         self.slice_origin = np.clip(origin, low + 0.00137 * self.side, low + 0.99863 * self.side)
 
-    def shows_edges(self, figures, pixels):
-        """Whether the edges of most leaves leave some of their colour to be seen in a view of that many pixels."""
-        return pixels > 10 * 2 ** figures["StartDepthPoints"]
-
     def look(self, view, sideways, height):
         """From the front, moved to the right and up, at all there is in the view."""
         direction = self.front + sideways * self.right + height * self.up
@@ -308,6 +304,11 @@ def show_occupied(octree, view, figures, edges):
     return shown
 
 
+def shows_edges(figures, pixels):
+    """Whether the edges of most leaves leave some of their colour to be seen in a view of that many pixels."""
+    return pixels > 10 * 2 ** figures["StartDepthPoints"]
+
+
 def are_dots(figures):
     return 2 ** figures["StartDepthPoints"] > 8 * PICTURE_SIZE[1]
 
@@ -324,7 +325,7 @@ def show_whole(stage, octree, cut, figures):
     """A view of what is flat with the slice behind it, of the rest of the slice alone."""
     view, shown = white_view(*HALF), []
     if stage.flat or not cut:
-        shown.append(show_occupied(octree, view, figures, stage.shows_edges(figures, HALF[1])))
+        shown.append(show_occupied(octree, view, figures, shows_edges(figures, HALF[1])))
     if cut:
         # Edges of leaves that are only a few pixels wide would hide their colours.
         edged = int(np.log2(HALF[0] / 6))
@@ -337,7 +338,7 @@ def show_whole(stage, octree, cut, figures):
 def show_leaves(stage, octree, figures):
     """A view of the leaves that hold points; of what is flat a part, near enough to tell the leaves apart."""
     view = white_view(*HALF)
-    shown = [show_occupied(octree, view, figures, stage.flat or stage.shows_edges(figures, HALF[1]))]
+    shown = [show_occupied(octree, view, figures, stage.flat or shows_edges(figures, HALF[1]))]
     stage.look(view, *((0.4, 0.75) if stage.flat else (0.5, 0.35)))
     if stage.flat:
         place, depth = most_varied_place(octree, stage)
@@ -507,7 +508,7 @@ def show(path):
     layout.SplitVertical(2, 0.5)
     stage = Stage(octree.GetDataInformation().GetBounds(), find_height_axis(source, path))
     set_colors("Depth", *octree.CellData["Depth"].GetRange(), may_change=True)
-    shown = show_occupied(octree, view, figures, stage.shows_edges(figures, view.ViewSize[1]))
+    shown = show_occupied(octree, view, figures, shows_edges(figures, view.ViewSize[1]))
     shown.SetScalarBarVisibility(view, True)
     stage.look(view, 0.4, 0.75 if stage.flat else 0.35)
     layout.AssignView(5, chart_view(octree, 1))

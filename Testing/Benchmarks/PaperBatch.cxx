@@ -29,8 +29,7 @@ void MeasureBatch(const hashedoctree::Octree<3>& tree, const std::vector<float>&
   const auto findAtOnce = [&]
   {
     marks[1] = 0;
-    FindLeaves(
-      tree, positions, 0, positions.Count, [startDepth](MortonKey<3>) { return startDepth; },
+    FindLeaves(tree, positions, 0, positions.Count, startDepth,
       [&marks](std::size_t i, const FoundLeaf<3>& leaf)
       { marks[1] += leaf.Key.GetValue() * (i + 1); });
   };

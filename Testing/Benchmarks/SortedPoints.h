@@ -8,10 +8,10 @@
 
 /**
  * The points of a tree in Morton order, and the splitting of them into nodes by the paper's rule
- * (paper section 5; README, row 43): a node is split while it holds more than `bucket` points and
- * is not at MaxDepth; all its children are nodes, empty ones too. The trees that ours is compared
- * with are all built from it, with Core's own order and grid: so they have the same leaves, and
- * their build times differ by what their nodes cost.
+ * (paper section 5; README, row 43): a node is split while it holds more than `maxPointsPerLeaf`
+ * points and is not at MaxDepth; all its children are nodes, empty ones too. The trees that ours is
+ * compared with are all built from it, with Core's own order and grid: so they have the same
+ * leaves, and their build times differ by what their nodes cost.
  */
 template <int Dim>
 class SortedPoints
@@ -23,14 +23,14 @@ public:
   /** At least one point must be selected. O(n). */
   template <typename Real>
   SortedPoints(hashedoctree::PointSpan<Dim, Real> points,
-    const hashedoctree::PointSelection<Dim>& selection, std::size_t bucket)
+    const hashedoctree::PointSelection<Dim>& selection, std::size_t maxPointsPerLeaf)
     : RootGrid(selection.GetBox())
     , Points(
         hashedoctree::MakeKeyedPoints(points, selection, this->RootGrid, hashedoctree::Execution()))
-    , Bucket(static_cast<std::ptrdiff_t>(bucket))
+    , MaxPointsPerLeaf(static_cast<std::ptrdiff_t>(maxPointsPerLeaf))
   {
     hashedoctree::SortAlongMortonCurve(
-      this->Points, bucket, Key::MaxDepth, hashedoctree::Execution());
+      this->Points, maxPointsPerLeaf, Key::MaxDepth, hashedoctree::Execution());
   }
 
   const hashedoctree::Grid<Dim>& GetGrid() const { return this->RootGrid; }
@@ -52,7 +52,7 @@ private:
   template <typename Maker, typename Node>
   void SplitNode(Maker& maker, Node node, const Point* first, const Point* last, int depth) const
   {
-    if (last - first <= this->Bucket || depth == Key::MaxDepth)
+    if (last - first <= this->MaxPointsPerLeaf || depth == Key::MaxDepth)
     {
       maker.MakeLeaf(node, first == last ? nullptr : first);
       return;
@@ -70,7 +70,7 @@ private:
 
   hashedoctree::Grid<Dim> RootGrid;
   hashedoctree::Buffer<Point> Points;
-  std::ptrdiff_t Bucket;
+  std::ptrdiff_t MaxPointsPerLeaf;
 };
 
 #endif

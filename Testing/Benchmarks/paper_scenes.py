@@ -124,7 +124,7 @@ def render(view):
 def octree_scene(point_set):
     """The leaves that hold points, coloured by depth."""
     view = demo.white_view(SIDE, SIDE)
-    demo.show_cells(point_set.octree, view, point_set.stage.shows_edges(point_set.figures, SIDE))
+    demo.show_cells(point_set.octree, view, demo.shows_edges(point_set.figures, SIDE))
     point_set.stage.look(view, 0.5, 0.6)
     return render(view)
 

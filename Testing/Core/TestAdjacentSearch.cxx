@@ -48,7 +48,7 @@ protected:
       Neighbors first;
       FindAdjacentLeaves(tree, node, 0, first, reading);
       ASSERT_EQ(GetSortedKeys(first), oracle.FindAdjacent(node, reading));
-      ExpectWellDescribed(tree, node, first);
+      ExpectParentBlocks(tree, first);
       for (int startDepth = 0; startDepth <= Key::MaxDepth; ++startDepth)
       {
         Neighbors found(1);
@@ -131,7 +131,8 @@ TYPED_TEST(TestAdjacentSearch, TheDeepestLeavesHaveTheirSiblings)
       {
         FindAdjacentLeaves(made.Tree, leaf.NodeKey, 0, found);
         EXPECT_GE(std::count_if(found.begin(), found.end(),
-                    [](const auto& neighbor) { return neighbor.Case == NeighborCase::SameDepth; }),
+                    [&leaf](const auto& neighbor)
+                    { return neighbor.Key.GetDepth() == leaf.NodeKey.GetDepth(); }),
           (1 << dim) - 1);
       }
     });
@@ -175,7 +176,7 @@ TYPED_TEST(TestAdjacentSearch, TheRejectedOptionFindsTheSame)
         {
           rejected.Find(node, startDepth, same);
           ASSERT_EQ(GetSortedKeys(same), GetSortedKeys(found)) << startDepth;
-          ExpectWellDescribed(made.Tree, node, same);
+          ExpectParentBlocks(made.Tree, same);
         }
       }
     }
@@ -218,39 +219,24 @@ SampleTree<2, double> MakeThreeDepths()
 }
 }
 
-TEST(TestAdjacentSearchFacts, CasesAndOrder)
+TEST(TestAdjacentSearchFacts, Order)
 {
   const SampleTree<2, double> made = MakeThreeDepths();
-  const auto expect = [&made](std::uint64_t node, EmptyOctants reading,
-                        const std::vector<std::pair<std::uint64_t, NeighborCase>>& expected)
+  const auto expect =
+    [&made](std::uint64_t node, EmptyOctants reading, const std::vector<std::uint64_t>& expected)
   {
     std::vector<Neighbor<2>> found;
     FindAdjacentLeaves(made.Tree, MortonKey<2>(node), 0, found, reading);
-    std::vector<std::pair<std::uint64_t, NeighborCase>> listed;
-    listed.reserve(found.size());
-    for (const auto& neighbor : found)
-    {
-      listed.emplace_back(neighbor.Key.GetValue(), neighbor.Case);
-    }
-    EXPECT_EQ(listed, expected);
+    EXPECT_EQ(GetKeys(found), expected);
   };
-  constexpr auto leaf = NeighborCase::SameDepth;
-  constexpr auto descended = NeighborCase::Descended;
-  constexpr auto above = NeighborCase::Above;
   // Of top-left: the leaves along the top of bottom-left come first.
-  expect(0b101, EmptyOctants::Leaves,
-    { { 0b10001, descended }, { 0b1001101, descended }, { 0b1001111, descended }, { 0b110, leaf },
-      { 0b111, leaf } });
-  expect(0b101, EmptyOctants::Missing, { { 0b1001111, descended }, { 0b111, leaf } });
+  expect(0b101, EmptyOctants::Leaves, { 0b10001, 0b1001101, 0b1001111, 0b110, 0b111 });
+  expect(0b101, EmptyOctants::Missing, { 0b1001111, 0b111 });
   // Of the bottom-right child of bottom-left: one leaf beside it, two cells of which touch it.
-  expect(0b10010, EmptyOctants::Leaves,
-    { { 0b10000, leaf }, { 0b10001, leaf }, { 0b1001100, descended }, { 0b1001110, descended },
-      { 0b110, above } });
-  expect(0b10010, EmptyOctants::Missing, { { 0b10000, leaf }, { 0b1001100, descended } });
+  expect(0b10010, EmptyOctants::Leaves, { 0b10000, 0b10001, 0b1001100, 0b1001110, 0b110 });
+  expect(0b10010, EmptyOctants::Missing, { 0b10000, 0b1001100 });
   // Of the internal child of bottom-left: what lies in it is left out.
-  expect(0b10011, EmptyOctants::Leaves,
-    { { 0b10000, leaf }, { 0b10001, leaf }, { 0b10010, leaf }, { 0b101, above }, { 0b110, above },
-      { 0b111, above } });
+  expect(0b10011, EmptyOctants::Leaves, { 0b10000, 0b10001, 0b10010, 0b101, 0b110, 0b111 });
 }
 
 TEST(TestAdjacentSearchFacts, TheRejectedOptionExaminesWhatTouchesOnTheWayDown)

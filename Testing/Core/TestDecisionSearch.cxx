@@ -45,7 +45,6 @@ TYPED_TEST(TestDecisionSearch, AnyDecisionsFindEveryLeafAtTheirCost)
             const FoundLeaf<dim> linear = FindLeaf(made.Tree, key, decisions.GetRootDepth());
             ASSERT_EQ(found.Key, leaf.NodeKey);
             ASSERT_TRUE(found.Exists);
-            ASSERT_EQ(found.Case, linear.Case);
             ASSERT_EQ(found.ParentBlock, linear.ParentBlock);
             ASSERT_EQ(count.Nodes, static_cast<std::uint64_t>(decisions.GetCost(depth)));
 

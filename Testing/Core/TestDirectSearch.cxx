@@ -46,14 +46,6 @@ class TestDirectSearch : public ::testing::Test
 {
 protected:
   static constexpr int Dim = Dimension::value;
-
-  /** The case that a search for a leaf at `depth` ends in. */
-  static SearchCase GetExpectedCase(int depth, int startDepth)
-  {
-    return depth == startDepth ? SearchCase::Hit
-      : depth > startDepth     ? SearchCase::Down
-                               : SearchCase::Up;
-  }
 };
 TYPED_TEST_SUITE(TestDirectSearch, Dimensions);
 
@@ -78,7 +70,6 @@ TYPED_TEST(TestDirectSearch, EveryStartDepthFindsEveryLeafAtTheModelledCost)
             const FoundLeaf<dim> found = FindLeaf(made.Tree, key, startDepth, count);
             ASSERT_EQ(found.Key, leaf.NodeKey);
             ASSERT_TRUE(found.Exists);
-            ASSERT_EQ(found.Case, TestFixture::GetExpectedCase(depth, startDepth));
             ASSERT_EQ(count.Nodes, static_cast<std::uint64_t>(1 + std::abs(depth - startDepth)));
             ASSERT_EQ(CountExaminedNodes(made.Tree, key, startDepth), count.Nodes);
 

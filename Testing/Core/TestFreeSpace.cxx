@@ -16,11 +16,11 @@ protected:
   static constexpr int Dim = Dimension::value;
   using Tree = PointTree<Dim, double>;
 
-  static Tree MakeTree(const std::vector<double>& coordinates, std::size_t bucket)
+  static Tree MakeTree(const std::vector<double>& coordinates, std::size_t maxPointsPerLeaf)
   {
     const PointSpan<Dim, double> points{ coordinates.data(), coordinates.size() / Dim };
     const PointSelection<Dim> selection(points, {}, Execution());
-    return Tree(points, selection, { bucket, MortonKey<Dim>::MaxDepth }, Execution());
+    return Tree(points, selection, { maxPointsPerLeaf, MortonKey<Dim>::MaxDepth }, Execution());
   }
 
   static bool HoldsHomeOf(const Tree& tree, const Position<Dim>& center)
@@ -92,10 +92,10 @@ TYPED_TEST(TestFreeSpace, HoldsNoPoint)
   for (const auto& sample : samples)
   {
     const BruteForceSearch<dim, double> oracle(sample.GetSpan());
-    for (const std::size_t bucket : { 1U, 48U })
+    for (const std::size_t maxPointsPerLeaf : { 1U, 48U })
     {
       SCOPED_TRACE(sample.Name);
-      const auto tree = TestFixture::MakeTree(sample.Coordinates, bucket);
+      const auto tree = TestFixture::MakeTree(sample.Coordinates, maxPointsPerLeaf);
       if (!tree.GetOctree().IsRootInternal())
       {
         continue;

@@ -101,7 +101,7 @@ protected:
         std::vector<Neighbor<Dim>> first;
         FindLeavesInRadius(tree, node, radius, 0, first, reading);
         ASSERT_EQ(GetSortedKeys(first), expected) << radius / side;
-        ExpectWellDescribed(tree, node, first);
+        ExpectParentBlocks(tree, first);
         for (int startDepth = 0; startDepth <= Key::MaxDepth; startDepth += 5)
         {
           std::vector<Neighbor<Dim>> found(1);
@@ -200,37 +200,23 @@ TEST(TestInRadiusSearchFacts, EmptySpaceCostsNothing)
   EXPECT_LT(count.Nodes, 150U);
 }
 
-TEST(TestInRadiusSearchFacts, CasesAndOrder)
+TEST(TestInRadiusSearchFacts, Order)
 {
   // The root's bottom-left child is split, and of its children the top-right one. Radii are in
   // the units of the points: the root has side 8.
   const SampleTree<2, double> made(
     PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
-  const auto expect = [&made](std::uint64_t node, double radius,
-                        const std::vector<std::pair<std::uint64_t, NeighborCase>>& expected)
+  const auto expect =
+    [&made](std::uint64_t node, double radius, const std::vector<std::uint64_t>& expected)
   {
     std::vector<Neighbor<2>> found;
     FindLeavesInRadius(made.Tree, MortonKey<2>(node), radius, 0, found);
-    std::vector<std::pair<std::uint64_t, NeighborCase>> listed;
-    listed.reserve(found.size());
-    for (const auto& neighbor : found)
-    {
-      listed.emplace_back(neighbor.Key.GetValue(), neighbor.Case);
-    }
-    EXPECT_EQ(listed, expected);
+    EXPECT_EQ(GetKeys(found), expected);
   };
-  constexpr auto leaf = NeighborCase::SameDepth;
-  constexpr auto descended = NeighborCase::Descended;
-  constexpr auto above = NeighborCase::Above;
   // Around (3, 1), the middle of [2, 4] x [0, 2].
   expect(0b10010, 0.99, {});
-  expect(0b10010, 1.0,
-    { { 0b10000, leaf }, { 0b110, above }, { 0b1001100, descended }, { 0b1001110, descended } });
-  expect(0b10010, 1.5,
-    { { 0b10000, leaf }, { 0b10001, leaf }, { 0b110, above }, { 0b1001100, descended },
-      { 0b1001110, descended } });
-  expect(0b10010, 3.1,
-    { { 0b101, above }, { 0b110, above }, { 0b10000, leaf }, { 0b10001, leaf },
-      { 0b1001100, descended }, { 0b1001101, descended }, { 0b1001110, descended },
-      { 0b1001111, descended } });
+  expect(0b10010, 1.0, { 0b10000, 0b110, 0b1001100, 0b1001110 });
+  expect(0b10010, 1.5, { 0b10000, 0b10001, 0b110, 0b1001100, 0b1001110 });
+  expect(
+    0b10010, 3.1, { 0b101, 0b110, 0b10000, 0b10001, 0b1001100, 0b1001101, 0b1001110, 0b1001111 });
 }

@@ -115,11 +115,11 @@ TYPED_TEST(TestMortonOrder, SortsTheSamples)
 {
   constexpr int maxDepth = MortonKey<TestFixture::Dim>::MaxDepth;
   std::vector<typename TestFixture::Ordering> orderings{ { Execution(), TestFixture::All } };
-  for (const std::size_t bucket : { 2U, 7U, 64U, 1000U })
+  for (const std::size_t maxPointsPerLeaf : { 2U, 7U, 64U, 1000U })
   {
     for (const int depth : { 0, 1, 4, maxDepth })
     {
-      orderings.push_back({ Execution(), { bucket, depth } });
+      orderings.push_back({ Execution(), { maxPointsPerLeaf, depth } });
     }
   }
   for (const auto& sample : MakePointSamples<TestFixture::Dim, double>())

@@ -18,7 +18,7 @@ protected:
   {
     using Key = MortonKey<Dim>;
     std::mt19937 random(71);
-    const Neighbor<Dim> first{ Key(5), 6, NeighborCase::Above };
+    const Neighbor<Dim> first{ Key(5), 6 };
     std::vector<Neighbor<Dim>> found(1, first);
     std::vector<Neighbor<Dim>> expected(1, first);
     NeighborBuffer<Dim> buffer(found);
@@ -29,18 +29,17 @@ protected:
         static_cast<std::uint32_t>(block % 100 < 30 ? (1U << Key::NumberOfOctants) - 1U
                                                     : random() % (1U << Key::NumberOfOctants));
       const Key node(1 + random() % 1000);
-      const auto kind = static_cast<NeighborCase>(block % 3);
       if (block % 100 > 90)
       {
-        buffer.Add({ node, block, kind });
-        expected.push_back({ node, block, kind });
+        buffer.Add({ node, block });
+        expected.push_back({ node, block });
       }
-      buffer.AddChildren(machine, node, octants, block, kind);
+      buffer.AddChildren(machine, node, octants, block);
       for (unsigned octant = 0; octant < Key::NumberOfOctants; ++octant)
       {
         if ((octants >> octant & 1U) != 0)
         {
-          expected.push_back({ node.GetChild(octant), block, kind });
+          expected.push_back({ node.GetChild(octant), block });
         }
       }
     }
@@ -51,7 +50,6 @@ protected:
     {
       ASSERT_EQ(found[i].Key, expected[i].Key) << i;
       ASSERT_EQ(found[i].ParentBlock, expected[i].ParentBlock) << i;
-      ASSERT_EQ(found[i].Case, expected[i].Case) << i;
     }
   }
 };
@@ -80,7 +78,7 @@ TYPED_TEST(TestNeighborBuffer, TakesAnyNumberOfLeavesOneByOne)
   NeighborBuffer<dim> buffer(found);
   for (std::uint32_t block = 0; block < 1000; ++block)
   {
-    buffer.Add({ MortonKey<dim>(1 + block), block, NeighborCase::SameDepth });
+    buffer.Add({ MortonKey<dim>(1 + block), block });
   }
   buffer.Flush();
   ASSERT_EQ(found.size(), 1000U);

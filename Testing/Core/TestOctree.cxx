@@ -86,7 +86,7 @@ TYPED_TEST(TestOctree, EqualsThePlainOctreeInSinglePrecision)
 
 TYPED_TEST(TestOctree, EqualsThePlainOctreeForAnyOptions)
 {
-  for (const std::size_t bucket : { 1U, 2U, 7U, 70U, 10000U })
+  for (const std::size_t maxPointsPerLeaf : { 1U, 2U, 7U, 70U, 10000U })
   {
     for (const int maxDepth : { 0, 1, 4, MortonKey<TestFixture::Dim>::MaxDepth })
     {
@@ -94,7 +94,7 @@ TYPED_TEST(TestOctree, EqualsThePlainOctreeForAnyOptions)
       {
         if (sample.Name == "duplicates" || sample.Name == "clusters" || sample.Name == "one point")
         {
-          TestFixture::ExpectAsPlain(sample, { bucket, maxDepth });
+          TestFixture::ExpectAsPlain(sample, { maxPointsPerLeaf, maxDepth });
         }
       }
     }

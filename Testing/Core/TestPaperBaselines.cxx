@@ -236,13 +236,13 @@ protected:
   {
     for (const auto& sample : MakePointSamples<Dim, double>())
     {
-      for (const std::size_t bucket : { 1U, 3U })
+      for (const std::size_t maxPointsPerLeaf : { 1U, 3U })
       {
         SCOPED_TRACE(sample.Name);
-        const SampleTree<Dim, double> made(sample, { bucket, Key::MaxDepth });
+        const SampleTree<Dim, double> made(sample, { maxPointsPerLeaf, Key::MaxDepth });
         if (made.Selection.GetNumberOfPoints() != 0)
         {
-          const SortedPoints<Dim> points(sample.GetSpan(), made.Selection, bucket);
+          const SortedPoints<Dim> points(sample.GetSpan(), made.Selection, maxPointsPerLeaf);
           function(made.Tree, BruteForceNeighbors<Dim>(made.Tree), points);
         }
       }

@@ -46,14 +46,14 @@ protected:
   }
 
   template <typename Real>
-  void ExpectAsBruteForce(const PointSample<Dim, Real>& sample, std::size_t bucket, int queries,
-    int maxDepth = MortonKey<Dim>::MaxDepth)
+  void ExpectAsBruteForce(const PointSample<Dim, Real>& sample, std::size_t maxPointsPerLeaf,
+    int queries, int maxDepth = MortonKey<Dim>::MaxDepth)
   {
-    SCOPED_TRACE(sample.Name + ", " + std::to_string(bucket) + " points per leaf, to depth " +
-      std::to_string(maxDepth));
+    SCOPED_TRACE(sample.Name + ", " + std::to_string(maxPointsPerLeaf) +
+      " points per leaf, to depth " + std::to_string(maxDepth));
     const auto points = sample.GetSpan();
     const PointSelection<Dim> selection(points, {}, Execution());
-    PointTree<Dim, Real> tree(points, selection, { bucket, maxDepth }, Execution());
+    PointTree<Dim, Real> tree(points, selection, { maxPointsPerLeaf, maxDepth }, Execution());
     const BruteForceSearch<Dim, Real> oracle(points);
     for (int query = 0; query < queries; ++query)
     {
@@ -457,11 +457,11 @@ TEST(TestPointSearchFacts, ManyAreFoundInOrder)
  * mode that the processor is in. */
 template <typename Real>
 void ExpectAsBruteForceInThisMode(
-  const std::vector<Real>& coordinates, std::size_t bucket, double radius)
+  const std::vector<Real>& coordinates, std::size_t maxPointsPerLeaf, double radius)
 {
   const PointSpan<3, Real> points{ coordinates.data(), coordinates.size() / 3 };
   const PointTree<3, Real> tree(
-    points, PointSelection<3>(points, {}, Execution()), { bucket, 21 }, Execution());
+    points, PointSelection<3>(points, {}, Execution()), { maxPointsPerLeaf, 21 }, Execution());
   const PointSearch<3, Real> search(tree);
   for (std::size_t query = 0; query < points.Count; query += points.Count / 100)
   {

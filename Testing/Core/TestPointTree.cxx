@@ -131,14 +131,14 @@ TYPED_TEST(TestPointTree, HoldsThePointsAndTheirBoxes)
   samples.push_back({ "many", MakeClusteredPoints<dim, float>(20000, 141) });
   for (const auto& sample : samples)
   {
-    for (const std::size_t bucket : { 1U, 8U })
+    for (const std::size_t maxPointsPerLeaf : { 1U, 8U })
     {
       SCOPED_TRACE(sample.Name);
       const PointSelection<dim> selection(sample.GetSpan(), {}, Execution());
       for (const unsigned threads : { 1U, 4U })
       {
         const PointTree<dim, float> tree(sample.GetSpan(), selection,
-          { bucket, MortonKey<dim>::MaxDepth }, Execution(OnThreads(threads)));
+          { maxPointsPerLeaf, MortonKey<dim>::MaxDepth }, Execution(OnThreads(threads)));
         EXPECT_EQ(tree.GetNumberOfPoints(), selection.GetNumberOfPoints());
         TestFixture::ExpectSound(sample, tree);
       }

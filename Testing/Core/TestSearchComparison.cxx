@@ -19,6 +19,15 @@ SearchComparison<Dim> MakeComparison(
 }
 
 template <int Dim>
+typename SearchComparison<Dim>::Costs Count(
+  const SearchComparison<Dim>& comparison, MortonKey<Dim> key)
+{
+  typename SearchComparison<Dim>::Costs costs;
+  comparison.Find(key, EmptyOctants::Leaves, costs);
+  return costs;
+}
+
+template <int Dim>
 std::vector<typename SearchComparison<Dim>::Search> GetSearches()
 {
   using Comparison = SearchComparison<Dim>;
@@ -90,7 +99,10 @@ TYPED_TEST(TestSearchComparison, CountsAreTheModelledCostOfEachLeaf)
       {
         const MortonKey<dim> key = leaf.NodeKey.GetLastAtMaxDepth();
         const int depth = leaf.NodeKey.GetDepth();
-        const auto counted = comparison.CountExaminedNodes(key);
+        typename Comparison::Costs counted;
+        const FoundLeaf<dim> found = comparison.Find(key, EmptyOctants::Missing, counted);
+        ASSERT_EQ(found.Key, leaf.NodeKey);
+        ASSERT_EQ(found.Exists, !leaf.IsEmpty());
         for (const auto search : GetSearches<dim>())
         {
           const int cost = search == Comparison::DecisionTree ? decisions.GetCost(depth)
@@ -122,7 +134,7 @@ TYPED_TEST(TestSearchComparison, PredictedMeansAreThoseOfCountedSearches)
       ForEachLeaf(made.Tree,
         [&](const auto& leaf)
         {
-          const auto counted = comparison.CountExaminedNodes(leaf.NodeKey.GetFirstAtMaxDepth());
+          const auto counted = Count(comparison, leaf.NodeKey.GetFirstAtMaxDepth());
           const long double weight = frequency == FrequencyModel::Leaves ? 1.0L
             : frequency == FrequencyModel::Points
             ? static_cast<long double>(leaf.GetNumberOfPoints())
@@ -162,7 +174,7 @@ TYPED_TEST(TestSearchComparison, TheBestDepthCostsTheQueriesTheLeast)
     for (std::size_t i = 0; i < queries.GetSpan().Count; ++i)
     {
       const auto key = made.Tree.GetGrid().GetKey(queries.GetSpan()[i]);
-      nodes += comparison.CountExaminedNodes(key)[search];
+      nodes += Count(comparison, key)[search];
     }
     return nodes;
   };

@@ -82,7 +82,11 @@ TYPED_TEST(TestTreePart, BuildersCompareSearchesAsInTheOneTree)
           {
             if (part.Has(key))
             {
-              EXPECT_EQ(comparison.CountExaminedNodes(key), expected.CountExaminedNodes(key));
+              typename Comparison::Costs costs;
+              typename Comparison::Costs expectedCosts;
+              const MortonKey<dim> leaf = comparison.Find(key, EmptyOctants::Leaves, costs).Key;
+              EXPECT_EQ(leaf, expected.Find(key, EmptyOctants::Leaves, expectedCosts).Key);
+              EXPECT_EQ(costs, expectedCosts);
             }
           }
         });

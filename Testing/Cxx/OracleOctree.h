@@ -44,15 +44,15 @@ public:
   }
 
   /** Of points with finite coordinates, three for each; the root is the cube around them. */
-  OracleOctree(
-    const std::vector<double>& coordinates, std::size_t bucket = 1, int maxDepth = GridDepth)
-    : OracleOctree(coordinates, GetBounds(coordinates), bucket, maxDepth)
+  OracleOctree(const std::vector<double>& coordinates, std::size_t maxPointsPerLeaf = 1,
+    int maxDepth = GridDepth)
+    : OracleOctree(coordinates, GetBounds(coordinates), maxPointsPerLeaf, maxDepth)
   {
   }
   /** Of those of the points that lie in given bounds (xmin, xmax, ymin, ...). */
   OracleOctree(const std::vector<double>& coordinates, const std::array<double, 6>& bounds,
-    std::size_t bucket = 1, int maxDepth = GridDepth)
-    : Bucket(bucket)
+    std::size_t maxPointsPerLeaf = 1, int maxDepth = GridDepth)
+    : MaxPointsPerLeaf(maxPointsPerLeaf)
     , MaxDepth(maxDepth)
     , Origin{ bounds[0], bounds[2], bounds[4] }
     , RootSide(std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }))
@@ -158,7 +158,7 @@ private:
 
   void Split(Node node)
   {
-    node.Internal = node.Points.size() > this->Bucket && node.Depth < this->MaxDepth;
+    node.Internal = node.Points.size() > this->MaxPointsPerLeaf && node.Depth < this->MaxDepth;
     for (unsigned octant = 0; node.Internal && octant < 8; ++octant)
     {
       Node child{ node.Depth + 1, 8 * node.Key + octant, node.Lower, node.Side / 2, {}, false };
@@ -189,7 +189,7 @@ private:
     return sum / total;
   }
 
-  std::size_t Bucket;
+  std::size_t MaxPointsPerLeaf;
   int MaxDepth;
   std::array<double, 3> Origin;
   double RootSide;

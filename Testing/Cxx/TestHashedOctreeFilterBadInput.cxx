@@ -292,12 +292,12 @@ TEST(TestHashedOctreeFilterBadInput, EqualPointsShareOneLeaf)
     coordinates.insert(coordinates.end(), { 7, -8, 9 });
   }
   TestedFilter filter(coordinates);
-  for (const int bucket : { 1, 999, 1000 })
+  for (const int maxPointsPerLeaf : { 1, 999, 1000 })
   {
-    filter->SetMaxPointsPerLeaf(bucket);
+    filter->SetMaxPointsPerLeaf(maxPointsPerLeaf);
     UpdateAndExpectOctree(filter, coordinates);
     EXPECT_EQ(filter.GetCells()->GetNumberOfCells(), 1);
-    EXPECT_EQ(filter.GetFieldValue("DeepestDepth"), bucket < 1000 ? 21 : 0);
+    EXPECT_EQ(filter.GetFieldValue("DeepestDepth"), maxPointsPerLeaf < 1000 ? 21 : 0);
   }
 }
 

@@ -17,13 +17,13 @@ TEST(TestHashedOctreeFilterOptions, MaxPointsPerLeafAndMaxDepth)
   for (const std::vector<double>& coordinates : samples)
   {
     TestedFilter filter(coordinates);
-    for (const int bucket : { 1, 8, 100, 400, VTK_INT_MAX })
+    for (const int maxPointsPerLeaf : { 1, 8, 100, 400, VTK_INT_MAX })
     {
       for (const int maxDepth : { 0, 1, 5, 21 })
       {
-        SCOPED_TRACE(
-          std::to_string(bucket) + " points per leaf, max depth " + std::to_string(maxDepth));
-        filter->SetMaxPointsPerLeaf(bucket);
+        SCOPED_TRACE(std::to_string(maxPointsPerLeaf) + " points per leaf, max depth " +
+          std::to_string(maxDepth));
+        filter->SetMaxPointsPerLeaf(maxPointsPerLeaf);
         filter->SetMaxDepth(maxDepth);
         UpdateAndExpectOctree(filter, coordinates);
         EXPECT_LE(filter.GetFieldValue("DeepestDepth"), maxDepth);

@@ -65,15 +65,15 @@ TEST(TestHashedOctreeFilterScale, TreesHaveFewBytesPerNode)
     MakeSpherePoints<3, double>(30000, 76) };
   for (const std::vector<double>& coordinates : samples)
   {
-    for (const int bucket : { 1, 2, 16 })
+    for (const int maxPointsPerLeaf : { 1, 2, 16 })
     {
       TestedFilter filter(coordinates);
-      filter->SetMaxPointsPerLeaf(bucket);
+      filter->SetMaxPointsPerLeaf(maxPointsPerLeaf);
       filter.Update();
       if (filter.GetFieldValue("NumberOfNodes") >= 1000)
       {
         EXPECT_LE(GetBytesPerNode(filter), MostBytesPerNode)
-          << coordinates.size() / 3 << " points, " << bucket << " per leaf";
+          << coordinates.size() / 3 << " points, " << maxPointsPerLeaf << " per leaf";
       }
     }
   }

@@ -200,12 +200,12 @@ TEST(TestHashedOctreeLocateFilter, NumbersLeavesAsTheLocatorDoes)
   const auto points = MakePolyData(MakeTwoDensities(400, 304));
   const auto queries = MakePolyData(MakeTwoDensities(400, 306));
   TestedLocateFilter filter(points, queries);
-  for (const int bucket : { 1, 20, 1000 }) // The last one: the root is the only leaf.
+  for (const int maxPointsPerLeaf : { 1, 20, 1000 }) // The last one: the root is the only leaf.
   {
-    filter->SetMaxPointsPerLeaf(bucket);
+    filter->SetMaxPointsPerLeaf(maxPointsPerLeaf);
     filter.Update();
     vtkNew<vtkHashedOctreePointLocator> locator;
-    locator->SetMaxPointsPerLeaf(bucket);
+    locator->SetMaxPointsPerLeaf(maxPointsPerLeaf);
     locator->SetDataSet(points);
     locator->BuildLocator();
     for (vtkIdType query = 0; query < 400; ++query)
@@ -307,9 +307,9 @@ TEST(TestHashedOctreeLocateFilter, QueriesThatAreThePointsCostWhatThePointsModel
     const auto points = MakePolyData(MakeTwoDensities(3000, 322), type);
     TestedLocateFilter filter(points, points);
     filter->SetFrequencyModel(Filter::Points);
-    for (const int bucket : { 1, 10 })
+    for (const int maxPointsPerLeaf : { 1, 10 })
     {
-      filter->SetMaxPointsPerLeaf(bucket);
+      filter->SetMaxPointsPerLeaf(maxPointsPerLeaf);
       filter.Update();
       ASSERT_EQ(filter.GetTable()->GetNumberOfRows(), 7);
       for (vtkIdType row = 0; row < 7; ++row)

@@ -26,11 +26,11 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 class ShownLeaves
 {
 public:
-  ShownLeaves(const std::vector<double>& coordinates, bool empty, int bucket = 1)
+  ShownLeaves(const std::vector<double>& coordinates, bool empty, int maxPointsPerLeaf = 1)
     : Octree(coordinates)
   {
     this->Octree->SetIncludeEmptyLeaves(empty);
-    this->Octree->SetMaxPointsPerLeaf(bucket);
+    this->Octree->SetMaxPointsPerLeaf(maxPointsPerLeaf);
     this->Octree.Update();
     this->Cells = this->Octree.GetCells();
     for (vtkIdType cell = 0; cell < this->Cells->GetNumberOfCells(); ++cell)

@@ -5,7 +5,6 @@
 #include "Invariants.h"
 
 #include "BruteForceNeighbors.h"
-#include "ExpectedNeighborCase.h"
 #include "LeafSearchInput.h"
 #include "TreeOptions.h"
 
@@ -93,7 +92,7 @@ private:
   {
     const PointSpan<Dim, double> position{ this->Query.X.data(), 1 };
     FindLeaves(
-      this->Tree, position, 0, 1, [this](Key) { return this->Query.StartDepth; },
+      this->Tree, position, 0, 1, this->Query.StartDepth,
       [this](std::size_t, const FoundLeaf<Dim>& leaf) { this->ExpectLeaf(leaf); }, this->Reading);
   }
 
@@ -130,9 +129,8 @@ private:
       bool good = found.size() == first.size();
       for (std::size_t i = 0; good && i < found.size(); ++i)
       {
-        good = found[i].Key == first[i].Key &&
-          found[i].Case == GetExpectedCase(found[i].Key, this->Node) &&
-          this->IsWellDescribed(found[i].Key, found[i].ParentBlock);
+        good =
+          found[i].Key == first[i].Key && this->IsWellDescribed(found[i].Key, found[i].ParentBlock);
         keys.push_back(found[i].Key.GetValue());
       }
       std::sort(keys.begin(), keys.end());

@@ -11,11 +11,11 @@
 template <int Dim>
 typename hashedoctree::Octree<Dim>::Options ReadTreeOptions(FuzzBytes& bytes)
 {
-  constexpr std::size_t buckets[] = { 1, 2, 3, 4, 8, 16, 40, 100 };
+  constexpr std::size_t maxima[] = { 1, 2, 3, 4, 8, 16, 40, 100 };
   constexpr unsigned depths = hashedoctree::MortonKey<Dim>::MaxDepth + 1;
-  const std::size_t bucket = buckets[bytes.ReadByte() % std::size(buckets)];
+  const std::size_t maxPointsPerLeaf = maxima[bytes.ReadByte() % std::size(maxima)];
   const unsigned depth = bytes.ReadByte(); // Mostly the default.
-  return { bucket, static_cast<int>(depth < 128 ? depths - 1 : depth % depths) };
+  return { maxPointsPerLeaf, static_cast<int>(depth < 128 ? depths - 1 : depth % depths) };
 }
 
 #endif

@@ -3,7 +3,7 @@
 #define Testing_Support_AdjacentSearchAtStartDepth_h
 
 #include "DirectSearch.h"
-#include "ExpectedNeighborCase.h"
+#include "Neighbor.h"
 #include "NodeBox.h"
 
 #include <algorithm>
@@ -119,10 +119,7 @@ private:
     return box.Touches(this->Box) && !this->Box.Contains(box);
   }
 
-  void Add(Key leaf, std::uint32_t parentBlock)
-  {
-    this->Found->push_back({ leaf, parentBlock, GetExpectedCase(leaf, this->Node) });
-  }
+  void Add(Key leaf, std::uint32_t parentBlock) { this->Found->push_back({ leaf, parentBlock }); }
 
   const hashedoctree::Octree<Dim>& Tree;
   Count& Examined;

@@ -3,15 +3,15 @@
 #define Testing_Support_NeighborCases_h
 
 #include "BruteForceNeighbors.h"
-#include "ExpectedNeighborCase.h"
+#include "Neighbor.h"
 #include "SampleTree.h"
 
 #include <algorithm>
 #include <vector>
 
-/** The keys of found neighbours, sorted; one found twice is there twice. */
+/** The keys of found neighbours, in their order; one found twice is there twice. */
 template <int Dim>
-std::vector<std::uint64_t> GetSortedKeys(const std::vector<hashedoctree::Neighbor<Dim>>& found)
+std::vector<std::uint64_t> GetKeys(const std::vector<hashedoctree::Neighbor<Dim>>& found)
 {
   std::vector<std::uint64_t> keys;
   keys.reserve(found.size());
@@ -19,6 +19,13 @@ std::vector<std::uint64_t> GetSortedKeys(const std::vector<hashedoctree::Neighbo
   {
     keys.push_back(neighbor.Key.GetValue());
   }
+  return keys;
+}
+
+template <int Dim>
+std::vector<std::uint64_t> GetSortedKeys(const std::vector<hashedoctree::Neighbor<Dim>>& found)
+{
+  std::vector<std::uint64_t> keys = GetKeys(found);
   std::sort(keys.begin(), keys.end());
   return keys;
 }
@@ -29,18 +36,16 @@ bool AreSame(const std::vector<hashedoctree::Neighbor<Dim>>& found,
   const std::vector<hashedoctree::Neighbor<Dim>>& expected)
 {
   return std::equal(found.begin(), found.end(), expected.begin(), expected.end(),
-    [](const auto& a, const auto& b)
-    { return a.Key == b.Key && a.ParentBlock == b.ParentBlock && a.Case == b.Case; });
+    [](const auto& a, const auto& b) { return a.Key == b.Key && a.ParentBlock == b.ParentBlock; });
 }
 
-/** Checks what is told of each neighbour of a node beside its key. */
+/** Checks what is told of each neighbour beside its key. */
 template <int Dim>
-void ExpectWellDescribed(const hashedoctree::Octree<Dim>& tree, hashedoctree::MortonKey<Dim> node,
-  const std::vector<hashedoctree::Neighbor<Dim>>& found)
+void ExpectParentBlocks(
+  const hashedoctree::Octree<Dim>& tree, const std::vector<hashedoctree::Neighbor<Dim>>& found)
 {
   for (const auto& neighbor : found)
   {
-    EXPECT_EQ(neighbor.Case, GetExpectedCase(neighbor.Key, node));
     EXPECT_EQ(tree.GetBlockKey(neighbor.ParentBlock), neighbor.Key.GetParent());
   }
 }
@@ -72,11 +77,11 @@ void ForNodesOfSamples(std::size_t wanted, const Check& check)
 {
   for (const auto& sample : MakePointSamples<Dim, double>())
   {
-    for (const std::size_t bucket : { 1U, 3U })
+    for (const std::size_t maxPointsPerLeaf : { 1U, 3U })
     {
       SCOPED_TRACE(sample.Name);
       const SampleTree<Dim, double> made(
-        sample, { bucket, hashedoctree::MortonKey<Dim>::MaxDepth });
+        sample, { maxPointsPerLeaf, hashedoctree::MortonKey<Dim>::MaxDepth });
       const BruteForceNeighbors<Dim> oracle(made.Tree);
       for (const hashedoctree::MortonKey<Dim> node : PickNodes(made.Tree, wanted))
       {

@@ -36,9 +36,9 @@ public:
 
   /** Nodes of the octree over the points at the given places, which index into `coordinates`. */
   template <typename Real>
-  PlainOctree(const Real* coordinates, const std::vector<std::uint32_t>& ids, std::size_t bucket,
-    int maxDepth)
-    : Bucket(bucket)
+  PlainOctree(const Real* coordinates, const std::vector<std::uint32_t>& ids,
+    std::size_t maxPointsPerLeaf, int maxDepth)
+    : MaxPointsPerLeaf(maxPointsPerLeaf)
     , MaxDepth(maxDepth)
   {
     double lower[Dim];
@@ -75,7 +75,7 @@ public:
 private:
   void Split(const Name& name, const std::vector<std::uint32_t>& ids)
   {
-    const bool internal = ids.size() > this->Bucket && name.Depth < this->MaxDepth;
+    const bool internal = ids.size() > this->MaxPointsPerLeaf && name.Depth < this->MaxDepth;
     this->Nodes[name] = { internal, ids };
     for (unsigned child = 0; internal && child < (1U << Dim); ++child)
     {
@@ -102,7 +102,7 @@ private:
     }
   }
 
-  std::size_t Bucket;
+  std::size_t MaxPointsPerLeaf;
   int MaxDepth;
   std::map<std::uint32_t, hashedoctree::Cell<Dim>> Cells;
   std::map<Name, Node> Nodes;
