@@ -78,14 +78,6 @@ typename Octree<Dim>::Node Octree<Dim>::GetRoot() const
 }
 
 template <int Dim>
-typename Octree<Dim>::Node Octree<Dim>::GetChild(std::size_t block, unsigned octant) const
-{
-  const Block& parent = this->Blocks[block];
-  return Node{ this->BlockKeys[block].GetChild(octant), parent.FirstPoint[octant],
-    parent.FirstPoint[octant + 1], (this->BlockOctants[block].Internal >> octant & 1U) != 0 };
-}
-
-template <int Dim>
 std::optional<typename Octree<Dim>::Node> Octree<Dim>::FindNode(Key key, EmptyOctants reading) const
 {
   std::optional<Node> node;

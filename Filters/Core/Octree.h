@@ -168,7 +168,12 @@ public:
   bool IsRootInternal() const { return this->Blocks.GetSize() != 0; }
   Node GetRoot() const;
   /** A child of an internal node, which is always given in the complete reading. O(1). */
-  Node GetChild(std::size_t block, unsigned octant) const;
+  Node GetChild(std::size_t block, unsigned octant) const
+  {
+    const Block& parent = this->Blocks[block];
+    return Node{ this->BlockKeys[block].GetChild(octant), parent.FirstPoint[octant],
+      parent.FirstPoint[octant + 1], (this->BlockOctants[block].Internal >> octant & 1U) != 0 };
+  }
   /** Calls function(child) for each child of the internal nodes `firstBlock` to `lastBlock - 1`, in
    * the order of the blocks, then of the octants: from all blocks every node but the root. */
   template <typename Function>
