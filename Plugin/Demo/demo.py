@@ -27,10 +27,11 @@ MOST_STEPS = 33  # depths and costs are less
 # A slice through more leaves than these takes too long for a demo.
 MAX_LEAVES_IN_SLICE = 4_000_000
 GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu .csv"
-TEXT, EDGE, WHITE = [0.13] * 3, [0.2] * 3, [1.0] * 3
-# From shallow or cheap to deep or dear: ColorBrewer's Spectral, reversed and its middle less pale.
-SCALE = np.array([[0x5e, 0x4f, 0xa2], [0x32, 0x88, 0xbd], [0x66, 0xc2, 0xa5], [0x9a, 0xd6, 0x92], [0xd9, 0xea, 0x72],
-                  [0xfd, 0xd4, 0x66], [0xfd, 0xae, 0x51], [0xf4, 0x6d, 0x43], [0xd5, 0x3e, 0x4f]]) / 255
+TEXT, EDGE, WHITE = [0.13] * 3, [0.13] * 3, [1.0] * 3
+# From shallow or cheap to deep or dear: matplotlib's viridis without its darkest quarter, in which no edges would be seen.
+# It only grows lighter, so that the order is seen without colours and by the colour-blind, too.
+SCALE = np.array([[0x3b, 0x52, 0x8b], [0x2c, 0x72, 0x8e], [0x21, 0x91, 0x8c], [0x28, 0xae, 0x80], [0x5e, 0xc9, 0x62],
+                  [0xad, 0xdc, 0x30], [0xfd, 0xe7, 0x25]]) / 255
 
 
 class DemoError(Exception):
@@ -228,10 +229,16 @@ class Stage:
 
     def look(self, view, sideways, height):
         """From the front, moved to the right and up, at all there is in the view."""
-        direction = self.front + sideways * self.right + height * self.up
+        self.look_along(view, self.front + sideways * self.right + height * self.up, self.up)
+
+    def look_down(self, view):
+        """From straight above, at all there is in the view."""
+        self.look_along(view, self.up, -self.front)
+
+    def look_along(self, view, direction, view_up):
         view.CameraFocalPoint = list(self.middle)
         view.CameraPosition = list(self.middle + 3 * self.side * direction)
-        view.CameraViewUp = list(self.up)
+        view.CameraViewUp = list(view_up)
         view.SMProxy.ResetCamera(True)  # True: as near as the shape of the view allows
 
     def look_closely(self, view, target, width):
@@ -243,9 +250,12 @@ class Stage:
             view.CameraPosition = list(target + away * (distance / np.linalg.norm(away)))
 
 
-def slice_all_leaves(source, stage):
-    """A cut through the whole octree, empty leaves too."""
+def cut_all_leaves(source, stage, figures):
+    """A slice through the whole octree, empty leaves too; the whole quadtree."""
     leaves = simple.HashedOctree(Input=source, IncludeEmptyLeaves=1)
+    if is_quadtree(figures):
+        leaves.UpdatePipeline()
+        return leaves
     cut = simple.Slice(Input=leaves)
     cut.SliceType.Origin, cut.SliceType.Normal = list(stage.slice_origin), list(stage.front)
     cut.Triangulatetheslice = 0
@@ -256,6 +266,10 @@ def slice_all_leaves(source, stage):
 def leaves_between(cells, least_depth, greatest_depth):
     return simple.Threshold(Input=cells, Scalars=["CELLS", "Depth"], ThresholdMethod="Between",
                             LowerThreshold=least_depth, UpperThreshold=greatest_depth)
+
+
+def is_quadtree(figures):
+    return figures["Dimension"] == 2
 
 
 def most_varied_place(octree, stage):
@@ -273,6 +287,13 @@ def most_varied_place(octree, stage):
     return places[inside][amid], np.median(depths[inside])
 
 
+def find_depths(octree):
+    """The depths of the highest and the deepest leaf, empty ones too."""
+    histogram = table(octree, 1)
+    depths = histogram["Depth"][histogram["Leaves"] > 0]
+    return depths.min(), depths.max()
+
+
 def set_colors(array, least, greatest, may_change=False):
     """One colour and one label for each whole number from the least to the greatest; for others, too, if the octree may
     change, of which ParaView then shows those between the extremes."""
@@ -288,7 +309,7 @@ def set_colors(array, least, greatest, may_change=False):
     return function
 
 
-def show_cells(source, view, edges, ambient=0.3):
+def show_cells(source, view, edges, ambient=0.5):
     shown = simple.Show(source, view)
     shown.Representation = "Surface With Edges" if edges else "Surface"
     shown.EdgeColor, shown.Ambient, shown.Diffuse = EDGE, ambient, 1 - ambient
@@ -322,24 +343,36 @@ def white_view(width, height):
 
 
 def show_whole(stage, octree, cut, figures):
-    """A view of what is flat with the slice behind it, of the rest of the slice alone."""
+    """A view of what is flat with the slice behind it, of the rest of the slice, or the quadtree, alone."""
     view, shown = white_view(*HALF), []
-    if stage.flat or not cut:
+    if not cut or stage.flat and not is_quadtree(figures):
         shown.append(show_occupied(octree, view, figures, shows_edges(figures, HALF[1])))
     if cut:
         # Edges of leaves that are only a few pixels wide would hide their colours.
         edged = int(np.log2(HALF[0] / 6))
         shown.append(show_cells(leaves_between(cut, 0, edged), view, edges=True, ambient=1))
         shown.append(show_cells(leaves_between(cut, edged + 1, figures["DeepestDepth"]), view, edges=False, ambient=1))
-    stage.look(view, *((0.4, 0.75) if stage.flat else (0, 0) if cut else (0.5, 0.35)))
+    look_at_all(stage, view, figures, *((0, 0) if cut else (0.5, 0.35)))
     return view, shown
 
 
-def show_leaves(stage, octree, figures):
-    """A view of the leaves that hold points; of what is flat a part, near enough to tell the leaves apart."""
+def look_at_all(stage, view, figures, sideways, height):
+    """From above on a quadtree, from high up on what else is flat, from the given place on the rest."""
+    if is_quadtree(figures):
+        stage.look_down(view)
+    else:
+        stage.look(view, *((0.4, 0.75) if stage.flat else (sideways, height)))
+
+
+def show_leaves(stage, octree, cut, figures):
+    """A view of the leaves that hold points, in a quadtree of all; of what is flat a part, near enough to tell the
+    leaves apart."""
     view = white_view(*HALF)
-    shown = [show_occupied(octree, view, figures, stage.flat or shows_edges(figures, HALF[1]))]
-    stage.look(view, *((0.4, 0.75) if stage.flat else (0.5, 0.35)))
+    if is_quadtree(figures) and cut:
+        shown = [show_cells(cut, view, edges=True, ambient=1)]
+    else:
+        shown = [show_occupied(octree, view, figures, stage.flat or shows_edges(figures, HALF[1]))]
+    look_at_all(stage, view, figures, 0.5, 0.35)
     if stage.flat:
         place, depth = most_varied_place(octree, stage)
         # Nearer still, and the leaves would lie before what the camera can see along with the rest.
@@ -379,16 +412,16 @@ def lay_out(whole, leaves, captions):
 
 
 def octree_pictures(folder, stage, source, octree, figures):
-    # Of a quadtree a slice would be lines.
-    has_slice = figures["Dimension"] == 3 and figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE
-    cut = slice_all_leaves(source, stage) if has_slice else None
+    cut = cut_all_leaves(source, stage, figures) if figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE else None
     held = "Leaves that hold points" + (" (too small to see: as dots)" if are_dots(figures) else "")
-    if stage.flat:
-        captions = held + (", before a slice through all leaves" if cut else ""), "A closer look"
+    if is_quadtree(figures):
+        captions = "All leaves" if cut else held, "A closer look"
+    elif stage.flat:
+        captions = held + (", in front of a slice through all leaves" if cut else ""), "A closer look"
     else:
         captions = "Slice through all leaves" if cut else held, held
     whole, shown = show_whole(stage, octree, cut, figures)
-    leaves, more_shown = show_leaves(stage, octree, figures)
+    leaves, more_shown = show_leaves(stage, octree, cut, figures)
     below = show_captions(captions)
     layout = lay_out(whole, leaves, below)
     for array, title in (("Depth", "Depth of the leaf (0 = root)"),
@@ -425,8 +458,8 @@ def title_histogram(view, octree, figures):
 
 def title_costs(view, octree, figures):
     """The same for costs, and a mark at the start depth."""
-    view.ChartTitle = f"{figures['MeanHitCost']:.2f} nodes from depth {figures['StartDepth']:.0f}, " \
-                      f"{figures['MeanRootCost']:.2f} from the root"
+    view.ChartTitle = f"Mean over all leaves: {figures['MeanHitCost']:.2f} nodes " \
+                      f"from depth {figures['StartDepth']:.0f}, {figures['MeanRootCost']:.2f} from the root"
     label_axis(view, "Bottom", -0.1, table(octree, 2)["StartDepth"].max() + 0.1, 1)
     label_axis(view, "Left", 0, highest_cost(octree) + 0.5, step_between_labels(highest_cost(octree)))
     mark_start_depth(view, octree, figures)
@@ -507,10 +540,13 @@ def show(path):
     layout.SplitHorizontal(0, 0.55)
     layout.SplitVertical(2, 0.5)
     stage = Stage(octree.GetDataInformation().GetBounds(), find_height_axis(source, path))
-    set_colors("Depth", *octree.CellData["Depth"].GetRange(), may_change=True)
-    shown = show_occupied(octree, view, figures, shows_edges(figures, view.ViewSize[1]))
+    set_colors("Depth", *find_depths(octree), may_change=True)
+    octree.IncludeEmptyLeaves = int(is_quadtree(figures) and figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE)
+    edges = shows_edges(figures, view.ViewSize[1])
+    shown = show_cells(octree, view, edges, ambient=1) if octree.IncludeEmptyLeaves else \
+        show_occupied(octree, view, figures, edges)
     shown.SetScalarBarVisibility(view, True)
-    stage.look(view, 0.4, 0.75 if stage.flat else 0.35)
+    look_at_all(stage, view, figures, 0.4, 0.35)
     layout.AssignView(5, chart_view(octree, 1))
     layout.AssignView(6, chart_view(octree, 2))
     simple.SetActiveSource(octree)

@@ -6,7 +6,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, PercentFormatter
 
 # The first three can be told apart by the colour-blind.
-BLUE, RED, GREEN, GREY, PALE, DARK = "#0072B2", "#D55E00", "#009E73", "#bbbbbb", "#eeeeee", "#222222"
+BLUE, RED, GREY, PALE, DARK = "#0072B2", "#D55E00", "#bbbbbb", "#eeeeee", "#222222"
 
 
 def finish_chart(axes, title, x_label, y_label):
@@ -37,10 +37,11 @@ def draw_start_depths(axes, point_set):
     """The cost of each start depth, with the three that the paper's Figure 1 marks."""
     costs, deepest = point_set.costs["CostLeaves"], int(point_set.figures["DeepestDepth"])
     axes.plot(point_set.costs["StartDepth"], costs, "o-", color=GREY, markersize=4)
-    marks = [("top-down", 0, RED, "o"), ("statistical", int(point_set.figures["StartDepthLeaves"]), GREEN, "D"),
-             ("bottom-up", deepest, BLUE, "s")]
-    for name, depth, color, marker in marks:
-        axes.plot(depth, costs[depth], marker, color=color, markersize=11, linestyle="none",
+    # By shape: colours are depths in the panels beside.
+    marks = [("top-down", 0, "o"), ("statistical", int(point_set.figures["StartDepthLeaves"]), "D"),
+             ("bottom-up", deepest, "s")]
+    for name, depth, marker in marks:
+        axes.plot(depth, costs[depth], marker, color=DARK, markersize=11, linestyle="none",
                   label=f"{name}: from depth {depth}, {costs[depth]:.2f} nodes")
     axes.set_ylim(0, 1.35 * costs.max())
     axes.legend(loc="upper center")

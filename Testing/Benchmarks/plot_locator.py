@@ -33,11 +33,11 @@ QUERIES = {
     "above": "far above",
     "-": "",
 }
-# The colours can be told apart by the colour-blind; ours are solid, the others dashed.
+# The colours can be told apart by the colour-blind, and the marks without colours; ours are solid, the others dashed.
 PEERS = {
-    "local": ("ours, local", "#009E73", "o-"),
+    "local": ("ours, local", "#009E73", "^-"),
     "median": ("ours, median", "#0072B2", "o-"),
-    "root": ("ours, root", "#56B4E9", "o-"),
+    "root": ("ours, root", "#56B4E9", "s-"),
     "static": ("vtkStaticPointLocator", "#D55E00", "s--"),
     "octree": ("vtkOctreePointLocator", "#CC79A7", "^--"),
     "kdtree": ("vtkKdTreePointLocator", "#E69F00", "v--"),
@@ -77,8 +77,10 @@ def draw_picture(axes, operation, queries, peers):
     for name, (label, colour, style) in PEERS.items():
         if name in peers:
             points = sorted(peers[name])
+            # The median is the default, and seen where others lie on it.
             axes.loglog(points, [factor * peers[name][n] for n in points], style, color=colour, label=label,
-                        markersize=4, linewidth=1.5)
+                        markersize=4, markerfacecolor="white" if name in ("local", "root") else colour,
+                        linewidth=2 if name == "median" else 1.5, zorder=3 if name == "median" else 2)
     axes.set_title(", ".join(filter(None, (OPERATIONS[operation], QUERIES[queries]))), fontsize=11)
     axes.set_xlabel("points")
     axes.set_ylabel(f"time per {'build' if operation == 'build' else 'query'} [{unit}]")

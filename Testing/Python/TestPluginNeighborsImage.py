@@ -2,20 +2,26 @@
 """The leaves around a leaf, coloured by case as in the paper's Figures 5 and 6: those that touch it,
 and those in a radius. The points lie in a plane, so that the tree is a quadtree; it is seen from
 below."""
+import os
+import sys
+
 import octreetesting
-from demo import white_view
+from matplotlib.colors import to_rgb
 from paraview import simple
 
+sys.path.insert(0, os.path.join(octreetesting.argument("-D"), "..", "Testing", "Benchmarks"))
+from demo import white_view
+from paper_scenes import CASES
+
 GREY, DARK, WHITE = [0.6] * 3, [0.15] * 3, [1.0] * 3
-CASES = [("Query leaf", [0.2, 0.2, 0.2]), ("Same depth", [0.35, 0.62, 0.88]),
-         ("Descended", [0.97, 0.8, 0.3]), ("Above", [0.88, 0.45, 0.35])]
+NAMES = ["Query leaf", "Same depth", "Deeper", "Higher"]  # of the cases
 QUERY, RADIUS = [-0.68, 0.45, 0.0], 0.3  # where all cases occur
 view = white_view(1000, 430)
 
 colors = simple.GetColorTransferFunction("Case")
 colors.InterpretValuesAsCategories = 1
-colors.Annotations = [text for case, (name, _) in enumerate(CASES) for text in (str(case), name)]
-colors.IndexedColors = [part for _, color in CASES for part in color]
+colors.Annotations = [text for case, name in enumerate(NAMES) for text in (str(case), name)]
+colors.IndexedColors = [part for _, color in CASES.values() for part in to_rgb(color)]
 
 
 def show(source, kind, place):
