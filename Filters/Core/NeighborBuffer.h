@@ -101,9 +101,11 @@ private:
 
   static Words GetWords(const Neighbor<Dim>& leaf)
   {
-    Words words;
-    static_assert(sizeof(words) == sizeof(leaf), "a leaf is two numbers, the second in part");
-    std::memcpy(words.data(), &leaf, sizeof(words));
+    static_assert(sizeof(Words) == sizeof(leaf) && offsetof(Neighbor<Dim>, ParentBlock) == 8,
+      "the second number holds the block, and nothing else");
+    Words words{};
+    std::memcpy(&words[0], &leaf.Key, sizeof(leaf.Key));
+    std::memcpy(&words[1], &leaf.ParentBlock, sizeof(leaf.ParentBlock));
     return words;
   }
 

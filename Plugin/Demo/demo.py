@@ -24,12 +24,12 @@ from vtkmodules.vtkCommonDataModel import vtkTable
 PICTURE_SIZE = 1600, 1000
 HALF = PICTURE_SIZE[0] // 2, 860  # of a picture of the octree, above its legend
 MOST_STEPS = 33  # depths and costs are less
-# A slice through more leaves than these takes too long for a demo.
-MAX_LEAVES_IN_SLICE = 4_000_000
+# To show all of more leaves than these, or a slice through them, takes too long for a demo.
+MOST_LEAVES_SHOWN = 4_000_000
 GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu .csv"
 TEXT, EDGE, WHITE = [0.13] * 3, [0.13] * 3, [1.0] * 3
-# From shallow or cheap to deep or dear: matplotlib's viridis without its darkest quarter, in which no edges would be seen.
-# It only grows lighter, so that the order is seen without colours and by the colour-blind, too.
+# From shallow or cheap to deep or dear: matplotlib's viridis without its darkest quarter, in which no edges would be
+# seen. It only grows lighter, so that the order is seen without colours and by the colour-blind, too.
 SCALE = np.array([[0x3b, 0x52, 0x8b], [0x2c, 0x72, 0x8e], [0x21, 0x91, 0x8c], [0x28, 0xae, 0x80], [0x5e, 0xc9, 0x62],
                   [0xad, 0xdc, 0x30], [0xfd, 0xe7, 0x25]]) / 255
 
@@ -206,11 +206,18 @@ def find_height_axis(source, path):
     return 1 if may_be_object and source.GetDataInformation().GetNumberOfCells() > 0 else 2
 
 
+def make_stage(source, path, octree, figures):
+    """A quadtree is seen from above, all of it, unless most leaves are dots."""
+    from_above = figures["Dimension"] == 2 and figures["NumberOfLeaves"] <= MOST_LEAVES_SHOWN and not are_dots(figures)
+    return Stage(octree.GetDataInformation().GetBounds(), find_height_axis(source, path), from_above)
+
+
 class Stage:
     """Where the leaves are and from where to look at them; all in the units of the data. Heights are along the thin
     axis of what is flat, else along `height_axis`."""
 
-    def __init__(self, bounds, height_axis=2):
+    def __init__(self, bounds, height_axis=2, from_above=False):
+        self.from_above = from_above
         low, high = np.array(bounds).reshape(3, 2).T
         extent = high - low
         self.middle, self.side = (low + high) / 2, max(extent) or 1.0
@@ -228,17 +235,11 @@ class Stage:
         self.slice_origin = np.clip(origin, low + 0.00137 * self.side, low + 0.99863 * self.side)
 
     def look(self, view, sideways, height):
-        """From the front, moved to the right and up, at all there is in the view."""
-        self.look_along(view, self.front + sideways * self.right + height * self.up, self.up)
-
-    def look_down(self, view):
-        """From straight above, at all there is in the view."""
-        self.look_along(view, self.up, -self.front)
-
-    def look_along(self, view, direction, view_up):
+        """From straight above, or from the front, moved to the right and up, at all there is in the view."""
+        direction = self.up if self.from_above else self.front + sideways * self.right + height * self.up
         view.CameraFocalPoint = list(self.middle)
         view.CameraPosition = list(self.middle + 3 * self.side * direction)
-        view.CameraViewUp = list(view_up)
+        view.CameraViewUp = list(-self.front if self.from_above else self.up)
         view.SMProxy.ResetCamera(True)  # True: as near as the shape of the view allows
 
     def look_closely(self, view, target, width):
@@ -250,10 +251,10 @@ class Stage:
             view.CameraPosition = list(target + away * (distance / np.linalg.norm(away)))
 
 
-def cut_all_leaves(source, stage, figures):
-    """A slice through the whole octree, empty leaves too; the whole quadtree."""
+def slice_all_leaves(source, stage):
+    """A cut through the whole octree, empty leaves too; of a quadtree, which is one, all leaves."""
     leaves = simple.HashedOctree(Input=source, IncludeEmptyLeaves=1)
-    if is_quadtree(figures):
+    if stage.from_above:
         leaves.UpdatePipeline()
         return leaves
     cut = simple.Slice(Input=leaves)
@@ -266,10 +267,6 @@ def cut_all_leaves(source, stage, figures):
 def leaves_between(cells, least_depth, greatest_depth):
     return simple.Threshold(Input=cells, Scalars=["CELLS", "Depth"], ThresholdMethod="Between",
                             LowerThreshold=least_depth, UpperThreshold=greatest_depth)
-
-
-def is_quadtree(figures):
-    return figures["Dimension"] == 2
 
 
 def most_varied_place(octree, stage):
@@ -345,34 +342,22 @@ def white_view(width, height):
 def show_whole(stage, octree, cut, figures):
     """A view of what is flat with the slice behind it, of the rest of the slice, or the quadtree, alone."""
     view, shown = white_view(*HALF), []
-    if not cut or stage.flat and not is_quadtree(figures):
+    if not cut or stage.flat and not stage.from_above:
         shown.append(show_occupied(octree, view, figures, shows_edges(figures, HALF[1])))
     if cut:
         # Edges of leaves that are only a few pixels wide would hide their colours.
         edged = int(np.log2(HALF[0] / 6))
         shown.append(show_cells(leaves_between(cut, 0, edged), view, edges=True, ambient=1))
         shown.append(show_cells(leaves_between(cut, edged + 1, figures["DeepestDepth"]), view, edges=False, ambient=1))
-    look_at_all(stage, view, figures, *((0, 0) if cut else (0.5, 0.35)))
+    stage.look(view, *((0.4, 0.75) if stage.flat else (0, 0) if cut else (0.5, 0.35)))
     return view, shown
 
 
-def look_at_all(stage, view, figures, sideways, height):
-    """From above on a quadtree, from high up on what else is flat, from the given place on the rest."""
-    if is_quadtree(figures):
-        stage.look_down(view)
-    else:
-        stage.look(view, *((0.4, 0.75) if stage.flat else (sideways, height)))
-
-
-def show_leaves(stage, octree, cut, figures):
-    """A view of the leaves that hold points, in a quadtree of all; of what is flat a part, near enough to tell the
-    leaves apart."""
+def show_leaves(stage, octree, figures):
+    """A view of the octree's leaves; of what is flat a part, near enough to tell the leaves apart."""
     view = white_view(*HALF)
-    if is_quadtree(figures) and cut:
-        shown = [show_cells(cut, view, edges=True, ambient=1)]
-    else:
-        shown = [show_occupied(octree, view, figures, stage.flat or shows_edges(figures, HALF[1]))]
-    look_at_all(stage, view, figures, 0.5, 0.35)
+    shown = [show_occupied(octree, view, figures, stage.flat or shows_edges(figures, HALF[1]))]
+    stage.look(view, *((0.4, 0.75) if stage.flat else (0.5, 0.35)))
     if stage.flat:
         place, depth = most_varied_place(octree, stage)
         # Nearer still, and the leaves would lie before what the camera can see along with the rest.
@@ -412,16 +397,16 @@ def lay_out(whole, leaves, captions):
 
 
 def octree_pictures(folder, stage, source, octree, figures):
-    cut = cut_all_leaves(source, stage, figures) if figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE else None
+    cut = slice_all_leaves(source, stage) if figures["NumberOfLeaves"] <= MOST_LEAVES_SHOWN else None
     held = "Leaves that hold points" + (" (too small to see: as dots)" if are_dots(figures) else "")
-    if is_quadtree(figures):
-        captions = "All leaves" if cut else held, "A closer look"
+    if stage.from_above:
+        captions = "All leaves", "A closer look"
     elif stage.flat:
         captions = held + (", in front of a slice through all leaves" if cut else ""), "A closer look"
     else:
         captions = "Slice through all leaves" if cut else held, held
     whole, shown = show_whole(stage, octree, cut, figures)
-    leaves, more_shown = show_leaves(stage, octree, cut, figures)
+    leaves, more_shown = show_leaves(stage, cut if stage.from_above else octree, figures)
     below = show_captions(captions)
     layout = lay_out(whole, leaves, below)
     for array, title in (("Depth", "Depth of the leaf (0 = root)"),
@@ -466,7 +451,7 @@ def title_costs(view, octree, figures):
 
 
 def highest_cost(octree):
-    return max(column.max() for name, column in table(octree, 2).items() if name != "StartDepth")
+    return max(column.max() for name, column in table(octree, 2).items() if name.startswith(("Cost", "Measured")))
 
 
 def step_between_labels(top):
@@ -524,7 +509,7 @@ def chart_pictures(folder, octree, figures):
     view = chart_view(octree, 2)
     title_costs(view, octree, figures)
     chart_picture(os.path.join(folder, "cost-curves.png"), view,
-                  ("Start depth of the search (0 = root)", "Nodes examined to find a leaf, mean"), (680, 710))
+                  ("Start depth of the search (0 = root)", "Mean cost (nodes examined to find a leaf)"), (680, 710))
 
 
 # ---- The two ways to run it -----------------------------------------------------------------------------------------
@@ -539,14 +524,12 @@ def show(path):
     layout = simple.GetLayout(view)
     layout.SplitHorizontal(0, 0.55)
     layout.SplitVertical(2, 0.5)
-    stage = Stage(octree.GetDataInformation().GetBounds(), find_height_axis(source, path))
+    stage = make_stage(source, path, octree, figures)
     set_colors("Depth", *find_depths(octree), may_change=True)
-    octree.IncludeEmptyLeaves = int(is_quadtree(figures) and figures["NumberOfLeaves"] <= MAX_LEAVES_IN_SLICE)
-    edges = shows_edges(figures, view.ViewSize[1])
-    shown = show_cells(octree, view, edges, ambient=1) if octree.IncludeEmptyLeaves else \
-        show_occupied(octree, view, figures, edges)
+    octree.IncludeEmptyLeaves = int(stage.from_above)
+    shown = show_occupied(octree, view, figures, shows_edges(figures, view.ViewSize[1]))
     shown.SetScalarBarVisibility(view, True)
-    look_at_all(stage, view, figures, 0.4, 0.35)
+    stage.look(view, 0.4, 0.75 if stage.flat else 0.35)
     layout.AssignView(5, chart_view(octree, 1))
     layout.AssignView(6, chart_view(octree, 2))
     simple.SetActiveSource(octree)
@@ -563,7 +546,7 @@ def write_all(path, folder):
         with tempfile.TemporaryDirectory(dir=folder) as unfinished:
             # Charts first: after pictures of layouts, ParaView leaves traces of earlier text in them.
             chart_pictures(unfinished, octree, figures)
-            stage = Stage(octree.GetDataInformation().GetBounds(), find_height_axis(source, path))
+            stage = make_stage(source, path, octree, figures)
             octree_pictures(unfinished, stage, source, octree, figures)
             write_csv(os.path.join(unfinished, "depth-histogram.csv"), table(octree, 1))
             write_csv(os.path.join(unfinished, "cost-curves.csv"), table(octree, 2))

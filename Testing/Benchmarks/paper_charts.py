@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, PercentFormatter
 
-# The first three can be told apart by the colour-blind.
+# The first two can be told apart by the colour-blind.
 BLUE, RED, GREY, PALE, DARK = "#0072B2", "#D55E00", "#bbbbbb", "#eeeeee", "#222222"
 
 
@@ -45,7 +45,7 @@ def draw_start_depths(axes, point_set):
                   label=f"{name}: from depth {depth}, {costs[depth]:.2f} nodes")
     axes.set_ylim(0, 1.35 * costs.max())
     axes.legend(loc="upper center")
-    finish_chart(axes, "Cost of a search for a leaf", "start depth (0 = root)", "nodes examined, mean")
+    finish_chart(axes, "Cost of a search for a leaf", "start depth (0 = root)", "mean cost (nodes)")
 
 
 def get_density(shares, samples=2000):
@@ -106,4 +106,4 @@ def draw_costs(axes, point_set, zoomed):
         axes.set_ylim(0, 1.1 * continuous.max())
         axes.legend(loc="upper center")
     finish_chart(axes, "Around the minimisers" if zoomed else "All start depths", "start depth (0 = root)",
-                 "nodes examined, mean")
+                 "mean cost (nodes)")

@@ -64,8 +64,15 @@ expect_demo(write_points("ball.vtp", random.standard_normal((400, 3)), words, no
 hills = np.column_stack((random.random((3000, 2)), 0.02 * random.random(3000)))
 expect_demo(write_points("hills.vtp", hills), 3000)
 
-# Leaves at the last depth, which are far too small to be seen but as dots.
+# A quadtree, seen from above with all of its leaves; not where they are too many.
 flat = np.column_stack((random.random((900, 2)), np.zeros(900)))
+expect_demo(write_points("flat.vtp", flat), 900)
+most_leaves = demo.MOST_LEAVES_SHOWN
+demo.MOST_LEAVES_SHOWN = 10
+expect_demo(write_points("flat.vtp", flat), 900)
+demo.MOST_LEAVES_SHOWN = most_leaves
+
+# Leaves at the last depth, which are far too small to be seen but as dots.
 expect_demo(write_points("twins.vtp", np.repeat(random.random((300, 3)), 2, axis=0)), 300)
 expect_demo(write_points("flat twins.vtp", np.repeat(flat, 2, axis=0)), 900)
 
@@ -82,11 +89,23 @@ for first_line in ("Intensity,X,Y,Z", "a, x, y, z", "x,y,z,Points:3", "Points:0,
     np.savetxt(rows, random.random((200, 4)), delimiter=",", header=first_line, comments="")
     expect_demo(rows, 200)
 np.savetxt(rows, random.random((200, 4)), delimiter=",")
-# The window: its charts follow the octree, whatever becomes of it.
-demo.show(write_points("shown.vtp", random.random((500, 3))))
-octree = demo.simple.GetActiveSource()
-assert octree.GetXMLName() == "HashedOctree", octree.GetXMLName()
-charts = [view for view in demo.simple.GetViews() if view.GetXMLName() != "RenderView"]
+# The window: a quadtree is seen from above with all of its leaves; charts follow the octree, whatever becomes of it.
+for name, points in (("flat.vtp", flat), ("shown.vtp", random.random((500, 3)))):
+    earlier = demo.simple.GetViews()
+    demo.simple.RemoveViewsAndLayouts()
+    demo.show(write_points(name, points))
+    octree = demo.simple.GetActiveSource()
+    assert octree.GetXMLName() == "HashedOctree", octree.GetXMLName()
+    assert octree.IncludeEmptyLeaves == (name == "flat.vtp"), name
+    view = demo.simple.GetActiveView()
+    towards = np.subtract(view.CameraFocalPoint, view.CameraPosition)
+    assert (abs(towards[2]) == np.linalg.norm(towards)) == (name == "flat.vtp"), towards
+    labels = list(demo.simple.GetColorTransferFunction("Depth").Annotations)
+    colors = np.reshape(demo.simple.GetColorTransferFunction("Depth").IndexedColors, (-1, 3))
+    depths = demo.table(octree, 1)["Depth"][demo.table(octree, 1)["Leaves"] > 0]
+    of_leaves = colors[[labels.index(str(depth)) // 2 for depth in depths]]
+    assert len(np.unique(of_leaves, axis=0)) == len(depths), "each depth with leaves has its colour"
+charts = [view for view in demo.simple.GetViews() if view.GetXMLName() != "RenderView" and view not in earlier]
 assert len(charts) == 2, charts
 for chart in charts:
     assert not chart.ChartTitle and not chart.LeftAxisUseCustomRange and not chart.BottomAxisUseCustomRange

@@ -14,7 +14,7 @@ from demo import white_view
 from paper_scenes import CASES
 
 GREY, DARK, WHITE = [0.6] * 3, [0.15] * 3, [1.0] * 3
-NAMES = ["Query leaf", "Same depth", "Deeper", "Higher"]  # of the cases
+NAMES = ["Query leaf", "Same depth", "Descended", "Above"]  # of the cases
 QUERY, RADIUS = [-0.68, 0.45, 0.0], 0.3  # where all cases occur
 view = white_view(1000, 430)
 

@@ -22,6 +22,7 @@ std::vector<std::uint64_t> GetKeys(const std::vector<hashedoctree::Neighbor<Dim>
   return keys;
 }
 
+/** The same, sorted. */
 template <int Dim>
 std::vector<std::uint64_t> GetSortedKeys(const std::vector<hashedoctree::Neighbor<Dim>>& found)
 {
