@@ -90,7 +90,7 @@ for first_line in ("Intensity,X,Y,Z", "a, x, y, z", "x,y,z,Points:3", "Points:0,
     expect_demo(rows, 200)
 np.savetxt(rows, random.random((200, 4)), delimiter=",")
 # The window: a quadtree is seen from above with all of its leaves; charts follow the octree, whatever becomes of it.
-for name, points in (("flat.vtp", flat), ("shown.vtp", random.random((500, 3)))):
+for name, points in (("flat.vtp", flat), ("hills.vtp", hills)):
     earlier = demo.simple.GetViews()
     demo.simple.RemoveViewsAndLayouts()
     demo.show(write_points(name, points))
