@@ -27,7 +27,7 @@ MOST_STEPS = 33  # depths and costs are less
 # To show all of more leaves than these, or a slice through them, takes too long for a demo.
 MOST_LEAVES_SHOWN = 4_000_000
 GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu .csv"
-TEXT, EDGE, WHITE = [0.13] * 3, [0.13] * 3, [1.0] * 3
+TEXT, EDGE, WHITE, BLACK = [0.13] * 3, [0.13] * 3, [1.0] * 3, [0.0] * 3
 # From shallow or cheap to deep or dear: matplotlib's viridis without its darkest quarter, in which no edges would be
 # seen. It only grows lighter, so that the order is seen without colours and by the colour-blind, too.
 SCALE = np.array([[0x3b, 0x52, 0x8b], [0x2c, 0x72, 0x8e], [0x21, 0x91, 0x8c], [0x28, 0xae, 0x80], [0x5e, 0xc9, 0x62],
@@ -295,7 +295,8 @@ def set_colors(array, least, greatest, may_change=False):
     """One colour and one label for each whole number from the least to the greatest; for others, too, if the octree may
     change, of which ParaView then shows those between the extremes."""
     steps = np.arange(MOST_STEPS) if may_change else np.arange(int(least), int(greatest) + 1)
-    at = np.clip((steps - least) / max(1, greatest - least), 0, 1) * (len(SCALE) - 1)
+    # One alone has the colour in the middle, which is seen on white and on black.
+    at = np.clip((steps - least) / max(1, greatest - least) + 0.5 * (least == greatest), 0, 1) * (len(SCALE) - 1)
     colors = np.column_stack([np.interp(at, np.arange(len(SCALE)), channel) for channel in SCALE.T])
     function = simple.GetColorTransferFunction(array)
     function.InterpretValuesAsCategories = 1
@@ -315,10 +316,11 @@ def show_cells(source, view, edges, ambient=0.5):
 
 
 def show_occupied(octree, view, figures, edges):
-    """The leaves that hold points; as dots, where most are so small that nothing else would be seen of them."""
+    """The leaves that hold points; as dots, where most are so small that nothing else would be seen of them. In pictures
+    these are on black, as light ones would not be seen on white."""
     shown = show_cells(octree, view, edges)
     if are_dots(figures):
-        shown.Representation, shown.PointSize = "Points", 4
+        shown.Representation, shown.PointSize, view.Background = "Points", 4, BLACK
     return shown
 
 
@@ -397,8 +399,10 @@ def lay_out(whole, leaves, captions):
 
 
 def octree_pictures(folder, stage, source, octree, figures):
-    cut = slice_all_leaves(source, stage) if figures["NumberOfLeaves"] <= MOST_LEAVES_SHOWN else None
-    held = "Leaves that hold points" + (" (too small to see: as dots)" if are_dots(figures) else "")
+    # Of a quadtree that is not seen from above a slice would be lines.
+    has_cut = stage.from_above or figures["Dimension"] == 3 and figures["NumberOfLeaves"] <= MOST_LEAVES_SHOWN
+    cut = slice_all_leaves(source, stage) if has_cut else None
+    held = "Leaves that hold points" + (", as dots" if are_dots(figures) else "")
     if stage.from_above:
         captions = "All leaves", "A closer look"
     elif stage.flat:
@@ -413,6 +417,7 @@ def octree_pictures(folder, stage, source, octree, figures):
                          ("HitCost", "Hit cost: nodes that a search examines to find the leaf, "
                                      f"starting at depth {figures['StartDepth']:.0f}")):
         ranges = [cells.CellData[array].GetRange() for cells in (octree, cut) if cells]
+        ranges += [find_depths(octree)] if array == "Depth" else []  # as in the window
         set_colors(array, min(low for low, _ in ranges), max(high for _, high in ranges))
         for representation in shown + more_shown:
             simple.ColorBy(representation, ("CELLS", array))

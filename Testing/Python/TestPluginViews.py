@@ -69,10 +69,10 @@ for lower, upper, least in ((0.0, 0.5, 0.0), (0.5, 0.0, 0.0), (-0.5, 0.5, 0.0), 
 view, shown = show(2)
 assert view.GetXMLName() == "HashedOctreeCostCurvesView", view.GetXMLName()
 assert shown.XArrayName == "StartDepth" and not shown.UseIndexForXAxis
-# In the order of the panel's list, which it would put them into when it is shown.
-# Not the continuous cost, which belongs half a depth further on, as its label says.
 labels = list(shown.SeriesLabel)
 assert labels[labels.index("ContinuousLeaves") + 1] == "Leaves, continuous (at depth + 1/2)", labels
+# In the order of the panel's list, which it would put them into when it is shown. Not the continuous
+# cost, which belongs half a depth further on.
 assert list(shown.SeriesVisibility) == sorted(octreetesting.COSTS[1:-1]), shown.SeriesVisibility
 assert view.BottomAxisTitle and view.LeftAxisTitle
 assert view.BottomAxisUseCustomLabels and list(view.BottomAxisLabels)[:4] == ["0", "0", "1", "1"]
