@@ -15,7 +15,7 @@ namespace hashedoctree
  * up to some depth. Then that depth, which GetMedianDepth() gives (E23), and the next, which this
  * gives, are equally cheap.
  *
- * A depth's weight is centred at l + 1/2. So the cost at h + 1/2 belongs to the start depth h, and
+ * A depth's weight is centered at l + 1/2. So the cost at h + 1/2 belongs to the start depth h, and
  * exceeds the discrete cost there by 3/16 of the share of depth h, exactly: it does not interpolate
  * (E8). All this holds for sums of weights below 2^53, which are exact.
  */

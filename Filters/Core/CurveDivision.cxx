@@ -2,6 +2,7 @@
 #include "CurveDivision.h"
 
 #include "ForEachDimension.h"
+#include "NodeHash.h"
 
 #include <algorithm>
 #include <array>
@@ -54,8 +55,7 @@ Keys TakeFirst(const Keys& keys, std::size_t count, const Order& order)
 /** A number below `end` for each i, all over. */
 std::uint64_t Scatter(std::uint64_t i, std::uint64_t end)
 {
-  constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // 2^64 by the golden ratio.
-  return (i * golden >> 32) % end;
+  return (i * GoldenMultiplier >> 32) % end;
 }
 }
 

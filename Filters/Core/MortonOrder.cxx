@@ -368,10 +368,11 @@ private:
   {
     DigitCounts first;
     DigitCounts second;
-    const Counters offsets{ first.data(), second.data() };
+    const Counters counts{ first.data(), second.data() };
     int depths = 0;
-    for (;; depth += depths)
+    do
     {
+      depth += depths;
       const bool isLeaf = this->IsLeaf(count, depth);
       if (isLeaf || count <= InsertionLimit)
       {
@@ -386,28 +387,11 @@ private:
         return;
       }
       depths = this->GetDepths(count, depth, branching, Digit<Dim>::MostDepths);
-      const Digit<Dim> digit(depth, depths);
-      std::fill_n(first.begin(), digit.GetCount(), 0);
-      std::fill_n(second.begin(), digit.GetCount(), 0);
-      CountDigits(from, count, digit, offsets);
-      const std::size_t place = digit.Of(from[0]);
-      if (first[place] + second[place] != count)
-      {
-        break;
-      }
-    }
+    } while (!IsDivided(from, count, Digit<Dim>(depth, depths), counts));
 
     const Digit<Dim> digit(depth, depths);
-    PointIndex sum = 0;
-    std::size_t occupied = 0;
-    for (std::size_t place = 0; place < digit.GetCount(); ++place)
-    {
-      occupied += first[place] + second[place] != 0 ? 1 : 0;
-      sum += std::exchange(first[place], sum);
-      sum += std::exchange(second[place], sum);
-    }
-    const double below = GetBranching(occupied, depths);
-    Scatter(from, count, digit, offsets, other);
+    const double below = GetBranching(CountsToPlaces(counts, digit.GetCount()), depths);
+    Scatter(from, count, digit, counts, other);
     PointIndex begin = 0;
     for (std::size_t place = 0; place < digit.GetCount(); ++place)
     {
@@ -418,6 +402,33 @@ private:
       }
       begin = end;
     }
+  }
+
+  /** Whether points have more than one digit; counts them. */
+  static bool IsDivided(
+    const Point* points, std::size_t count, const Digit<Dim>& digit, const Counters& counts)
+  {
+    std::fill_n(counts.FirstHalf, digit.GetCount(), 0);
+    std::fill_n(counts.SecondHalf, digit.GetCount(), 0);
+    CountDigits(points, count, digit, counts);
+    const std::size_t place = digit.Of(points[0]);
+    return counts.FirstHalf[place] + counts.SecondHalf[place] != count;
+  }
+
+  /** Of each digit the places where each half puts its first point, instead of their numbers;
+   * returns how many digits there are points of. */
+  static std::size_t CountsToPlaces(const Counters& counts, std::size_t digits)
+  {
+    PointIndex sum = 0;
+    std::size_t occupied = 0;
+    for (std::size_t digit = 0; digit < digits; ++digit)
+    {
+      const PointIndex before = sum;
+      sum += std::exchange(counts.FirstHalf[digit], sum);
+      sum += std::exchange(counts.SecondHalf[digit], sum);
+      occupied += sum != before ? 1 : 0;
+    }
+    return occupied;
   }
 
   static void SortByInsertion(Point* points, std::size_t count)

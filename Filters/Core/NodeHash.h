@@ -10,6 +10,10 @@ namespace hashedoctree
 /** Slots that a table looks at together; with values of 8 bytes they fill one cache line. */
 constexpr std::size_t SlotsOfBucket = 4;
 
+/** 2^64 by the golden ratio; the upper bits of a number's product with it depend on all bits of the
+ * number. */
+constexpr std::uint64_t GoldenMultiplier = 0x9e3779b97f4a7c15U;
+
 /**
  * The hash function of the paper (section 2): the low bits of the key, k mod 2^b. Neighbouring
  * keys go to neighbouring slots, but the deep nodes in the root's lower corner all have the same
@@ -40,9 +44,8 @@ private:
 };
 
 /**
- * A multiplicative hash: the key times an odd constant (2^64 over the golden ratio), scaled to the
- * number of slots, so that a table need not be a power of two and its load is 1/2, or in small
- * tables less.
+ * A multiplicative hash: the key times GoldenMultiplier, scaled to the number of slots, so that a
+ * table need not be a power of two and its load is 1/2, or in small tables less.
  */
 class MixingHash
 {
@@ -56,8 +59,7 @@ public:
   std::size_t GetSlot(std::uint64_t key) const
   {
     __extension__ using Product = unsigned __int128;
-    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15U; // 2^64 by the golden ratio.
-    const std::uint64_t mixed = key * golden;
+    const std::uint64_t mixed = key * GoldenMultiplier;
     return static_cast<std::size_t>(Product(mixed) * this->NumberOfSlots >> 64);
   }
 

@@ -29,7 +29,7 @@ void AddBlurred(
   }
 }
 
-/** Ten centres with ten clusters each; the widths of the clusters go over two orders. */
+/** Ten centers with ten clusters each; the widths of the clusters go over two orders. */
 std::vector<float> MakeClusters(std::size_t count, unsigned seed)
 {
   struct Cluster

@@ -257,8 +257,8 @@ TEST(TestHashedOctreePointLocatorTies, TheSmallestIdWins)
     EXPECT_EQ(locator.FindClosest(5, { 0, 0, 0 }), (TestedLocator::Ids{ 0, 1, 2, 3, 4 }));
     EXPECT_EQ(locator.FindClosest(3, { -1, -1, -1 }), (TestedLocator::Ids{ 2, 10, 5 }));
     double dist2 = 0.0;
-    const double centre[3] = { 0, 0, 0 };
-    EXPECT_EQ(locator->FindClosestPointWithinRadius(2.0, centre, dist2), 0);
+    const double center[3] = { 0, 0, 0 };
+    EXPECT_EQ(locator->FindClosestPointWithinRadius(2.0, center, dist2), 0);
     EXPECT_EQ(dist2, 3.0);
   }
 }

@@ -133,8 +133,8 @@ def expect_shares(pieces, number_of_points):
 
 random = numpy.random.default_rng(5)
 cube = random.random((4000, 3))
-clusters = numpy.concatenate([centre + 1e-3 * random.standard_normal((500, 3))
-                              for centre in random.random((8, 3))])
+clusters = numpy.concatenate([center + 1e-3 * random.standard_normal((500, 3))
+                              for center in random.random((8, 3))])
 flat = cube * [1.0, 1.0, 0.0] + [0.0, 0.0, 3.0]
 duplicates = numpy.repeat(cube[:5], 300, axis=0)
 holes = cube.copy()
@@ -182,10 +182,10 @@ mine = make_points(cube[rank::PROCESSES])
 neighbors = vtkHashedOctreeNeighborsFilter()
 neighbors.SetInputData(mine)
 for i, pieces in enumerate([1, PROCESSES, PROCESSES, 1, 1, PROCESSES]):
-    centre = (0.3 + 0.1 * i, 0.5, 0.5)
-    neighbors.SetCenter(centre)
+    center = (0.3 + 0.1 * i, 0.5, 0.5)
+    neighbors.SetCenter(center)
     neighbors.UpdatePiece(rank if pieces > 1 else 0, pieces, 0)
-    whole, = run(mine, pieces, filter_=vtkHashedOctreeNeighborsFilter, Center=centre)
+    whole, = run(mine, pieces, filter_=vtkHashedOctreeNeighborsFilter, Center=center)
     piece = neighbors.GetOutputDataObject(0)
     expect_same_field_data(piece, whole)
     assert numpy.array_equal(rows(piece, NEIGHBOR_ARRAYS), rows(whole, NEIGHBOR_ARRAYS)), i
