@@ -162,7 +162,7 @@ public:
   /** The blocks, their octants, and the keys of their nodes, in the same order. */
   const Block& GetBlock(std::size_t block) const { return this->Blocks[block]; }
   const Octants& GetOctants(std::size_t block) const { return this->BlockOctants[block]; }
-  Key GetBlockKey(std::size_t block) const { return this->BlockKeys[block]; }
+  const Key& GetBlockKey(std::size_t block) const { return this->BlockKeys[block]; }
   const NodeTable<Entry>& GetTable() const { return this->Table; }
 
   bool IsRootInternal() const { return this->Blocks.GetSize() != 0; }

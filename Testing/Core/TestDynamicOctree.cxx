@@ -324,6 +324,7 @@ TYPED_TEST(TestDynamicOctree, ErasingOneOfAPairCollapsesTheWholeChain)
   EXPECT_EQ(tree.GetDeepestDepth(), deepest);
   EXPECT_EQ(tree.GetNumberOfInternalNodes(), static_cast<std::size_t>(deepest));
   const std::size_t bytes = tree.GetTreeBytes();
+  EXPECT_GT(bytes, tree.GetTable().GetBytes());
   for (int again = 0; again < 1000; ++again)
   {
     tree.Erase(again % 2 == 0 ? 7 : 8);
@@ -372,6 +373,37 @@ TYPED_TEST(TestDynamicOctree, ChangesDoNotBeginWhereMemoryIsOut)
   changing.ExpectAsRebuilt();
   EXPECT_GT(tryUntilDone([&] { changing.Tree.Erase(0); }), 0U);
   changing.Points.erase(0);
+  changing.ExpectAsRebuilt();
+}
+
+TYPED_TEST(TestDynamicOctree, MovesDoNotBeginWhereMemoryIsOutForTheTable)
+{
+  constexpr int dim = TestFixture::Dim;
+  ChangingTree<dim> changing({});
+  const auto coordinates = MakeUniformPoints<dim, double>(1000, 83);
+  std::uint32_t count = 0;
+  const auto getNext = [&]
+  {
+    Position<dim> x;
+    std::copy_n(coordinates.begin() + dim * count, dim, x.begin());
+    return x;
+  };
+  const auto isFull = [&changing]
+  {
+    const auto& table = changing.Tree.GetTable();
+    return !table.HasRoom(table.GetNumberOfKeys() + MortonKey<dim>::MaxDepth);
+  };
+  while (count < 10 || !isFull())
+  {
+    changing.Points[count] = getNext();
+    changing.Tree.Insert(count, changing.Points[count]);
+    ++count;
+  }
+  const Position<dim> far = getNext();
+  EXPECT_GT(
+    TryUntilDone([&] { changing.Tree.Move(0, far); }, [&] { changing.ExpectAsRebuilt(); }), 0U);
+  EXPECT_FALSE(isFull());
+  changing.Points[0] = far;
   changing.ExpectAsRebuilt();
 }
 

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+#include <thread>
+
 using namespace hashedoctree;
 
 TEST(TestExecution, ForCoversTheRangeOnce)
@@ -93,6 +96,36 @@ TEST(TestExecution, WhatChunksReturnIsInTheirOrder)
     EXPECT_TRUE(std::is_sorted(firsts.begin(), firsts.end()));
     EXPECT_EQ(firsts.back(), 994U);
   }
+}
+
+TEST(TestExecution, OneThreadAsksForNoOthers)
+{
+  const Execution execution([](std::size_t, std::size_t, std::size_t, const Execution::Body&)
+    { ADD_FAILURE() << "other threads were asked for"; });
+  std::size_t calls = 0;
+  execution.OnOneThread().ForEach(1000, 1, [&calls](std::size_t) { ++calls; });
+  EXPECT_EQ(calls, 1000U);
+}
+
+TEST(TestExecution, WhatAnyThreadThrowsComesOut)
+{
+  // The calling thread waits for another one to throw.
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> thrown{ false };
+  EXPECT_THROW(Execution(OnThreads(2))
+                 .ForEach(2, 1,
+                   [&](std::size_t)
+                   {
+                     while (std::this_thread::get_id() == caller && !thrown)
+                     {
+                       std::this_thread::yield();
+                     }
+                     if (!thrown.exchange(true))
+                     {
+                       throw std::length_error("of the other thread");
+                     }
+                   }),
+    std::length_error);
 }
 
 TEST(TestExecution, ProgressRisesFromPartToPart)

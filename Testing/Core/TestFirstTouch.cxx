@@ -69,6 +69,15 @@ TEST(TestFirstTouch, ZeroedMemoryStaysZeroed)
   }
 }
 
+TEST(TestFirstTouch, SmallArraysAreLeftAsTheyAre)
+{
+  Buffer<char> buffer(FirstLargeSize - 1);
+  std::fill_n(buffer.GetData(), buffer.GetSize(), 'x');
+  TouchPages(buffer, Execution());
+  EXPECT_TRUE(std::all_of(buffer.GetData(), buffer.GetData() + buffer.GetSize(),
+    [](char value) { return value == 'x'; }));
+}
+
 TEST(TestFirstTouch, TellsProgressEveryEightMegabytes)
 {
   int looks = 0;

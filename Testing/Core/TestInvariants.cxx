@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace hashedoctree;
 
@@ -17,6 +18,14 @@ protected:
   PointSelection<3> Selection{ Sample.GetSpan(), {}, Execution() };
   Octree<3> Tree{ Sample.GetSpan(), Selection, {}, Execution() };
 
+  void MakeTree(const std::vector<double>& coordinates)
+  {
+    this->Sample = { "made", coordinates };
+    this->Selection = PointSelection<3>(this->Sample.GetSpan(), {}, Execution());
+    this->Tree = Octree<3>(this->Sample.GetSpan(), this->Selection, {}, Execution());
+    ASSERT_TRUE(FindBrokenLaws(this->Tree, this->Sample.GetSpan(), this->Selection).empty());
+  }
+
   // A tree is immutable to its users; a test that breaks one must reach behind that.
   Octree<3>::Block& GetBlock(std::size_t block)
   {
@@ -25,6 +34,15 @@ protected:
   Octree<3>::Octants& GetOctants(std::size_t block)
   {
     return const_cast<Octree<3>::Octants&>(this->Tree.GetOctants(block));
+  }
+  MortonKey<3>& GetKey(std::size_t block)
+  {
+    return const_cast<MortonKey<3>&>(this->Tree.GetBlockKey(block));
+  }
+  Octree<3>::Entry& GetEntry(std::size_t block)
+  {
+    return const_cast<Octree<3>::Entry&>(
+      *this->Tree.GetTable().Find(this->GetKey(block).GetValue()));
   }
   PointIndex* GetIds() { return const_cast<PointIndex*>(this->Tree.GetPointIds()); }
   NodeTable<Octree<3>::Entry>& GetTable()
@@ -73,6 +91,13 @@ TEST_F(TestInvariants, LostPoint)
   this->ExpectBroken("just the selected points take part");
 }
 
+TEST_F(TestInvariants, TreeOfFewerPoints)
+{
+  this->Sample.Coordinates.insert(this->Sample.Coordinates.end(), { 0.3, 0.3, 0.3 });
+  this->Selection = PointSelection<3>(this->Sample.GetSpan(), {}, Execution());
+  this->ExpectBroken("the root's range is all points");
+}
+
 TEST_F(TestInvariants, DoubledId)
 {
   this->GetIds()[3] = this->GetIds()[4];
@@ -96,13 +121,7 @@ TEST_F(TestInvariants, SwappedIds)
 
 TEST_F(TestInvariants, SwappedIdsOfCoincidentPoints)
 {
-  PointSample<3, double> three{ "three", std::vector<double>(12, 1.0) };
-  std::fill_n(three.Coordinates.begin(), 3, 0.0);
-  const PointSelection<3> selection(three.GetSpan(), {}, Execution());
-  this->Tree = Octree<3>(three.GetSpan(), selection, {}, Execution());
-  EXPECT_TRUE(FindBrokenLaws(this->Tree, three.GetSpan(), selection).empty());
-  this->Sample = three;
-  this->Selection = selection;
+  this->MakeTree({ 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1 });
   for (const std::size_t place : { 1U, 2U })
   {
     std::swap(this->GetIds()[place], this->GetIds()[place + 1]);
@@ -168,17 +187,41 @@ TEST_F(TestInvariants, BlocksThatAreNotFollowed)
   }
 }
 
+TEST_F(TestInvariants, CellsOfNoLeaf)
+{
+  // Two points below the root's first child, or its last, which is not followed.
+  for (const double place : { 0.0, 1.0 })
+  {
+    const double x = std::abs(place - 0.1);
+    this->MakeTree({ 0, 0, 0, 1, 1, 1, x, x, x });
+    this->GetOctants(0).FirstChild = 1U << 30;
+    this->ExpectBroken("the leaves tile the root");
+  }
+}
+
+TEST_F(TestInvariants, SwappedBlocks)
+{
+  // The root has two internal children, and each of these has one.
+  this->MakeTree({ 0, 0, 0, 0.2, 0.2, 0.2, 0.8, 0.8, 0.8, 1, 1, 1 });
+  ASSERT_EQ(this->Tree.GetNumberOfInternalNodes(), 5U);
+  std::swap(this->GetEntry(3).Block, this->GetEntry(4).Block);
+  std::swap(this->GetBlock(3), this->GetBlock(4));
+  std::swap(this->GetOctants(3), this->GetOctants(4));
+  std::swap(this->GetKey(3), this->GetKey(4));
+  this->GetOctants(1).FirstChild = 4;
+  this->GetOctants(2).FirstChild = 3;
+  this->ExpectBroken("blocks are ordered by depth, then by key");
+}
+
 TEST_F(TestInvariants, WrongTableEntry)
 {
-  const auto* entry = this->GetTable().Find(this->Tree.GetBlockKey(7).GetValue());
-  const_cast<Octree<3>::Entry*>(entry)->Block += 1;
+  this->GetEntry(7).Block += 1;
   this->ExpectBroken("the table finds every node");
 }
 
 TEST_F(TestInvariants, WrongTableMask)
 {
-  const auto* entry = this->GetTable().Find(this->Tree.GetBlockKey(7).GetValue());
-  const_cast<Octree<3>::Entry*>(entry)->Occupied ^= 4U;
+  this->GetEntry(7).Occupied ^= 4U;
   this->ExpectBroken("keys and masks agree");
 }
 

@@ -31,7 +31,7 @@ TYPED_TEST(TestNodeList, ListsTheNodesAskedForInOrder)
         NodeListOptions{ false, true, 0 }, NodeListOptions{ true, true, 2 },
         NodeListOptions{ false, false, 3 }, NodeListOptions{ true, true, 31 } })
     {
-      std::vector<std::pair<int, std::uint64_t>> expected;
+      std::vector<typename Octree<dim>::Node> expected;
       ForEachNode(made.Tree,
         [&](const auto& node)
         {
@@ -39,15 +39,20 @@ TYPED_TEST(TestNodeList, ListsTheNodesAskedForInOrder)
           if (isOfDepth &&
             (node.Internal ? options.InternalNodes : options.EmptyLeaves || !node.IsEmpty()))
           {
-            expected.emplace_back(node.NodeKey.GetDepth(), node.NodeKey.GetValue());
+            expected.push_back(node);
           }
         });
-      std::sort(expected.begin(), expected.end());
+      // Keys begin with a one, so that those of deeper nodes are larger.
+      std::sort(expected.begin(), expected.end(),
+        [](const auto& a, const auto& b) { return a.NodeKey.GetValue() < b.NodeKey.GetValue(); });
       const auto nodes = ListNodes(made.Tree, options, Execution(OnThreads(2)));
       ASSERT_EQ(nodes.GetSize(), expected.size());
       for (std::size_t i = 0; i < expected.size(); ++i)
       {
-        ASSERT_EQ(nodes[i].NodeKey.GetValue(), expected[i].second);
+        ASSERT_EQ(nodes[i].NodeKey, expected[i].NodeKey);
+        ASSERT_EQ(nodes[i].Internal, expected[i].Internal);
+        ASSERT_EQ(nodes[i].FirstPoint, expected[i].FirstPoint);
+        ASSERT_EQ(nodes[i].LastPoint, expected[i].LastPoint);
       }
     }
   }

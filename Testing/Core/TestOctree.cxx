@@ -2,6 +2,7 @@
 #include "Octree.h"
 
 #include "Dimensions.h"
+#include "KeyedPoints.h"
 #include "OnThisThread.h"
 #include "PlainOctree.h"
 #include "SampleTree.h"
@@ -144,17 +145,48 @@ TYPED_TEST(TestOctree, ThreadsDoNotMatter)
   }
 }
 
-TYPED_TEST(TestOctree, TakesAtMostTwelveBytesPerNode)
+TYPED_TEST(TestOctree, KeysAloneGiveTheSameTree)
 {
   constexpr int dim = TestFixture::Dim;
+  const PointSample<dim, double> sample{ "uniform", MakeUniformPoints<dim, double>(3000, 64) };
+  const SampleTree<dim, double> made(sample, { 2, 9 });
+  std::vector<MortonKey<dim>> keys;
+  for (std::size_t i = 0; i < sample.GetSpan().Count; ++i)
+  {
+    keys.push_back(made.Tree.GetGrid().GetKey(sample.GetSpan()[i]));
+  }
+  const Octree<dim> tree(made.Tree.GetGrid(), keys, { 2, 9 }, Execution());
+  EXPECT_EQ(FindBrokenLaws(tree, sample.GetSpan(), made.Selection), std::vector<std::string>());
+}
+
+TYPED_TEST(TestOctree, UsesSpareMemory)
+{
+  constexpr int dim = TestFixture::Dim;
+  const PointSample<dim, double> sample{ "uniform", MakeUniformPoints<dim, double>(3000, 65) };
+  const PointSelection<dim> selection(sample.GetSpan(), {}, Execution());
+  const Buffer<KeyedPoint<dim>> spare(3000, Memory::Zeroed);
+  const Octree<dim> tree(sample.GetSpan(), selection, {}, Execution(),
+    { const_cast<KeyedPoint<dim>*>(spare.GetData()), spare.GetBytes() });
+  EXPECT_EQ(FindBrokenLaws(tree, sample.GetSpan(), selection), std::vector<std::string>());
+  EXPECT_TRUE(std::any_of(spare.GetData(), spare.GetData() + spare.GetSize(),
+    [](const KeyedPoint<dim>& point) { return point.GetKey().GetValue() != 0; }));
+}
+
+TYPED_TEST(TestOctree, CountsItsBytes)
+{
+  constexpr int dim = TestFixture::Dim;
+  using Tree = Octree<dim>;
+  // Two slots of the table for each internal node, and up to a bucket more.
+  constexpr std::size_t slot = sizeof(std::uint64_t) + sizeof(typename Tree::Entry);
+  constexpr std::size_t internal = sizeof(typename Tree::Block) + sizeof(typename Tree::Octants) +
+    sizeof(typename Tree::Key) + 2 * slot;
   for (const std::size_t count : { 300U, 5000U, 40000U })
   {
     const SampleTree<dim, float> made(
       PointSample<dim, float>{ "uniform", MakeUniformPoints<dim, float>(count, 63) });
-    if (dim == 3 && sizeof(PointIndex) == 4)
-    {
-      EXPECT_LE(made.Tree.GetTreeBytes(), 12 * made.Tree.GetNumberOfNodes());
-    }
+    const std::size_t least = internal * made.Tree.GetNumberOfInternalNodes();
+    EXPECT_GE(made.Tree.GetTreeBytes(), least);
+    EXPECT_LE(made.Tree.GetTreeBytes(), least + SlotsOfBucket * slot);
     EXPECT_EQ(made.Tree.GetOrderBytes(), sizeof(PointIndex) * count);
   }
 }

@@ -247,6 +247,23 @@ TEST(TestPointTreeFacts, LeavesAtTheLastDepthHaveTreesOfTheirOwn)
   EXPECT_EQ(shallow.FindNested(0), nullptr);
 }
 
+TEST(TestPointTreeFacts, LeavesAtTheLastDepthHoldFourTimesAsManyPointsWithoutATree)
+{
+  for (const auto& [maxPointsPerLeaf, most] :
+    { std::pair<std::size_t, std::size_t>{ 1, 32 }, { 8, 32 }, { 9, 36 }, { 64, 256 } })
+  {
+    for (const std::size_t count : { most, most + 1 })
+    {
+      std::vector<double> coordinates = MakeUniformPoints<3, double>(count, 151, 0.0, 1e-8);
+      coordinates.insert(coordinates.end(), 3, 1.0);
+      const PointSpan<3, double> points{ coordinates.data(), count + 1 };
+      const PointTree<3, double> tree(
+        points, PointSelection<3>(points, {}, Execution()), { maxPointsPerLeaf, 21 }, Execution());
+      EXPECT_EQ(tree.FindNested(0) != nullptr, count > most) << maxPointsPerLeaf << " per leaf";
+    }
+  }
+}
+
 #if defined(__SSE2__) // Elsewhere the mode is set in other ways.
 TEST(TestPointTreeFacts, NestedTreesEndWhereDifferencesAreFlushedToZero)
 {

@@ -5,6 +5,9 @@
 #include "PointSamples.h"
 #include "SameOutputs.h"
 
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkSphereSource.h"
 #include "vtkStructuredGrid.h"
 
 #include <sstream>
@@ -176,12 +179,28 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
 
 TEST(TestHashedOctreeFilter, LeavesItsInputAlone)
 {
-  const auto input = MakeUniform(100, 2);
+  vtkNew<vtkSphereSource> sphere; // With normals of its points.
+  sphere->Update();
+  vtkPolyData* const input = sphere->GetOutput();
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Numbers");
+  for (vtkIdType i = 0; i < input->GetNumberOfCells(); ++i)
+  {
+    numbers->InsertNextValue(static_cast<int>(i));
+  }
+  input->GetCellData()->SetScalars(numbers);
+  input->GetFieldData()->AddArray(numbers);
   vtkNew<vtkPolyData> copy;
   copy->DeepCopy(input);
   TestedFilter filter;
   filter->SetInputData(input);
   filter.Update();
   ExpectSameArray(input->GetPoints()->GetData(), copy->GetPoints()->GetData(), "points");
-  EXPECT_EQ(input->GetNumberOfCells(), 0);
+  ASSERT_EQ(input->GetPointData()->GetNumberOfArrays(), 1);
+  ExpectSameArrays(input->GetPointData(), copy->GetPointData());
+  ExpectSameArrays(input->GetCellData(), copy->GetCellData());
+  EXPECT_EQ(input->GetCellData()->GetScalars(), numbers);
+  ExpectSameArrays(input->GetFieldData(), copy->GetFieldData());
+  ExpectSameArray(input->GetPolys()->GetConnectivityArray(),
+    copy->GetPolys()->GetConnectivityArray(), "polygons");
 }

@@ -201,6 +201,25 @@ vtkIdType GetStep(const ShownLeaves& leaves)
 }
 }
 
+TEST(TestHashedOctreeNeighborsFilter, HasTheDocumentedDefaults)
+{
+  vtkNew<Filter> filter;
+  EXPECT_EQ(filter->GetSearchMode(), Filter::Adjacent);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(filter->GetCenter()[axis], 0.0);
+  }
+  EXPECT_FALSE(filter->GetUseLeafKey());
+  EXPECT_EQ(filter->GetLeafKey(), 1);
+  EXPECT_EQ(filter->GetRadius(), 1.0);
+  EXPECT_EQ(filter->GetStartDepthModel(), Filter::Median);
+  EXPECT_EQ(filter->GetFixedStartDepth(), 0);
+  EXPECT_EQ(filter->GetMaxPointsPerLeaf(), 1);
+  EXPECT_FALSE(filter->GetIncludeEmptyLeaves());
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 1);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
+}
+
 TEST(TestHashedOctreeNeighborsFilter, PrintsEveryProperty)
 {
   vtkNew<Filter> filter;

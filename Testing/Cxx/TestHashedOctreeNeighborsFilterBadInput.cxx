@@ -157,4 +157,6 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, ValuesOutOfRangeAreClamped)
   EXPECT_EQ(filter->GetFixedStartDepth(), 0);
   filter->SetSearchMode(7);
   EXPECT_EQ(filter->GetSearchMode(), Filter::InRadius);
+  filter->SetSearchMode(-1);
+  EXPECT_EQ(filter->GetSearchMode(), Filter::Adjacent);
 }

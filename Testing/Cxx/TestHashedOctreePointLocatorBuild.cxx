@@ -412,6 +412,11 @@ TEST(TestHashedOctreePointLocatorBuild, TellsOfItsTree)
   EXPECT_LT(locator->GetLevel(), 10);
   EXPECT_GE(locator->GetIndexBytes(), 10000 * 16); // Coordinates and ids at least.
   EXPECT_LE(locator->GetIndexBytes(), 10000 * 64);
+  TestedLocator ofDoubles(
+    MakePolyData(std::vector<double>(coordinates.begin(), coordinates.end())));
+  ofDoubles->BuildLocator();
+  EXPECT_EQ(ofDoubles->GetIndexBytes() - locator->GetIndexBytes(), 10000 * 3 * 4)
+    << "floats stay floats";
 
   locator->SetMaxDepth(2);
   locator->BuildLocator();

@@ -6,19 +6,48 @@
 #include <cstdlib>
 #include <new>
 
-/** How many more times `new` of this thread has memory; none is left at 0. To be included by one
- * file of a program. */
+/** How many more times this thread gets memory, by `new` or, in what is linked into the program, by
+ * malloc() and its kin; none is left at 0. Not counted are memory that is mapped (Buffers of 1 MiB
+ * and more) and `new` with an alignment. To be included by one file of a program. */
 inline thread_local std::size_t AllocationsLeft = ~std::size_t(0);
 
-// Replacing these is what the standard provides for; all other forms end here. Not inline, or GCC
-// takes new and free() for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size)
+inline bool TakeAllocation()
 {
   if (AllocationsLeft == 0)
   {
-    throw std::bad_alloc();
+    return false;
   }
   --AllocationsLeft;
+  return true;
+}
+
+// The linker has all calls of malloc() come here, and so on; see AddTests.cmake.
+// NOLINTBEGIN(bugprone-reserved-identifier)
+extern "C"
+{
+  void* __real_malloc(std::size_t bytes);
+  void* __real_calloc(std::size_t count, std::size_t bytes);
+  void* __real_aligned_alloc(std::size_t alignment, std::size_t bytes);
+
+  void* __wrap_malloc(std::size_t bytes)
+  {
+    return TakeAllocation() ? __real_malloc(bytes) : nullptr;
+  }
+  void* __wrap_calloc(std::size_t count, std::size_t bytes)
+  {
+    return TakeAllocation() ? __real_calloc(count, bytes) : nullptr;
+  }
+  void* __wrap_aligned_alloc(std::size_t alignment, std::size_t bytes)
+  {
+    return TakeAllocation() ? __real_aligned_alloc(alignment, bytes) : nullptr;
+  }
+}
+// NOLINTEND(bugprone-reserved-identifier)
+
+// Replacing these is what the standard provides for. Not inline, or GCC takes new and free() for a
+// mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size)
+{
   if (void* memory = std::malloc(size > 0 ? size : 1))
   {
     return memory;
