@@ -221,7 +221,12 @@ void vtkHashedOctreePointLocator::BuildIndex()
 
 void vtkHashedOctreePointLocator::Fill(Index& index)
 {
-  if (this->DataSet == nullptr || this->DataSet->GetNumberOfPoints() == 0)
+  if (this->DataSet == nullptr)
+  {
+    index.Problem = "There is no data set whose points could be found; call SetDataSet() first.";
+    return;
+  }
+  if (this->DataSet->GetNumberOfPoints() == 0)
   {
     return;
   }

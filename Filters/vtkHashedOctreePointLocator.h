@@ -28,9 +28,9 @@
  * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
  * - A position may lie anywhere, any number of widths away from the data. One that is not finite
  *   has no closest point (-1, or an empty list).
- * - Without points, or without a data set, queries find nothing (-1, or an empty list), silently.
- *   (But a tree that UseExistingSearchStructure, which VTK 9.1 does not have, keeps still answers
- *   after SetDataSet(nullptr).)
+ * - Without points queries find nothing (-1, or an empty list), silently. So they do without a data
+ *   set, which is an error of each build. (But a tree that UseExistingSearchStructure, which
+ * VTK 9.1 does not have, keeps still answers after SetDataSet(nullptr).)
  * - Lists are always reset first. A squared distance is set exactly when a point is found.
  * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
  *   double (4.49e307), are never found; each build that meets some says so in one warning with
@@ -63,14 +63,14 @@
  *
  * After BuildLocator(), called directly or by a query, the queries are thread safe as long as
  * nothing is modified. (Update() is not enough: it does not always build. And if you give the
- * locator to vtkPointSet::SetPointLocator(), call SetDataSet() as well.) The build runs on the
- * threads of vtkSMPTools; its result does not depend on their number. At most 2^32 - 2 points,
- * unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or not enough
- * memory, is an error (to tell of it takes a little, too, without which std::bad_alloc is thrown).
- * So is a first thread that vtkSMPTools cannot start; where it cannot start another, VTK ends the
- * program. Until the next build, as after Modified(), queries then find nothing, and batches are
- * the same error again. A query that has not enough memory for what it finds is an error, too, and
- * finds nothing; so is one without a list to put its ids into.
+ * locator to vtkPointSet::SetPointLocator(), call SetDataSet() as well, which VTK leaves to you.)
+ * The build runs on the threads of vtkSMPTools; its result does not depend on their number. At most
+ * 2^32 - 2 points, unless built with HASHEDOCTREE_64BIT_IDS, and 2^32 - 1 internal nodes; more, or
+ * not enough memory, is an error (to tell of it takes a little, too, without which std::bad_alloc
+ * is thrown). So is a first thread that vtkSMPTools cannot start; where it cannot start another,
+ * VTK ends the program. Until the next build, as after Modified(), queries then find nothing, and
+ * batches are the same error again. A query that has not enough memory for what it finds is an
+ * error, too, and finds nothing; so is one without a list to put its ids into.
  *
  * Of vtkLocator's own properties: Automatic and Tolerance are not used, MaxLevel is MaxDepth. After
  * a build, Level is the depth of the deepest leaf, NumberOfBuckets the number of leaves, empty ones
@@ -262,11 +262,11 @@ public:
   void FreeSearchStructure() override;
 
   /**
-   * The nodes at a depth that hold points, as boxes, one vtkPolyLine along the edges of each; all
-   * leaves that hold points for a negative level. 0 is the root, GetLevel() the deepest; deeper
-   * levels have no nodes. Ordered by depth, then by Morton key. Cell arrays as in
-   * vtkHashedOctreeFilter: Depth (active scalars), HitCost (from GetStartDepth()), RootCost,
-   * PointCount, MortonKey. Builds the tree if it must.
+   * The nodes at a depth that hold points, as boxes; all leaves that hold points for a negative
+   * level. 0 is the root, GetLevel() the deepest; deeper levels have no nodes. Each is one cell, a
+   * vtkPolyLine along its edges, where VTK's locators give polygons, several for each node. Ordered
+   * by depth, then by Morton key. Cell arrays as in vtkHashedOctreeFilter: Depth (active scalars),
+   * HitCost (from GetStartDepth()), RootCost, PointCount, MortonKey. Builds the tree if it must.
    */
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 

@@ -6,9 +6,9 @@ order are read where they are. Masked arrays (whether a value is masked or not),
 list or values in them, and what is no real number (complex numbers, strings, dates, None), also in
 arrays of objects, are a TypeError. Results are views of the memory that the search filled, nothing
 is copied: ids are int64, squared distances float64. A batch that could not be done is a
-RuntimeError that says why, unless VTK's warnings are off: not enough memory, or stopped by
-AbortBatch(). One position at a time is faster searched for by the locator's own methods, which take
-NumPy rows.
+RuntimeError that says why, unless VTK's warnings are off: no data set, not enough memory, or stopped
+by AbortBatch(). One position at a time is faster searched for by the locator's own methods, which
+take NumPy rows.
 
 The searches run on the threads of vtkSMPTools. Python's other threads, and Ctrl-C, wait until a
 batch is done: give the positions in parts to be heard sooner. Only an observer of ProgressEvent can

@@ -209,16 +209,6 @@ TYPED_TEST(TestAdjacentSearch, ClimbingExaminesNoMoreNodesThanTheMedian)
   }
 }
 
-namespace
-{
-/** The root's bottom-left child is split, and of its children the top-right one. */
-SampleTree<2, double> MakeThreeDepths()
-{
-  return SampleTree<2, double>(
-    PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
-}
-}
-
 TEST(TestAdjacentSearchFacts, Order)
 {
   const SampleTree<2, double> made = MakeThreeDepths();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BatchOrder.h"
 
+#include "MakePointTree.h"
 #include "OnThisThread.h"
 #include "PointSamples.h"
 #include "Threads.h"
@@ -17,8 +18,7 @@ protected:
   static PointTree<3, double> MakeTree(std::size_t numberOfPoints)
   {
     const std::vector<double> points = MakeUniformPoints<3, double>(numberOfPoints, 231);
-    const PointSpan<3, double> span{ points.data(), numberOfPoints };
-    return { span, PointSelection<3>(span, {}, Execution()), { 64, 21 }, Execution() };
+    return MakePointTree(PointSpan<3, double>{ points.data(), numberOfPoints }, 64);
   }
 
   static std::vector<std::size_t> GetOrder(const PointTree<3, double>& tree,
@@ -87,6 +87,5 @@ TEST_F(TestBatchOrder, LeavesPositionsAsTheyComeWhereTheyAreTogether)
 
 TEST_F(TestBatchOrder, CanBeInterrupted)
 {
-  const Execution execution(OnThisThread, [](double) { return false; });
-  EXPECT_THROW(GetOrder(this->Large, this->Positions, 0, 20000, execution), Interrupted);
+  EXPECT_THROW(GetOrder(this->Large, this->Positions, 0, 20000, MakeInterrupted()), Interrupted);
 }

@@ -54,6 +54,5 @@ TYPED_TEST(TestDistinctKeys, HasEachOnceInOrder)
 TYPED_TEST(TestDistinctKeys, CanBeInterrupted)
 {
   const auto keys = TestFixture::MakeKeys(100000, 1000);
-  EXPECT_THROW(
-    GetDistinctKeys(keys, Execution(OnThisThread, [](double) { return false; })), Interrupted);
+  EXPECT_THROW(GetDistinctKeys(keys, MakeInterrupted()), Interrupted);
 }

@@ -92,8 +92,7 @@ TEST(TestFirstTouch, TellsProgressEveryEightMegabytes)
   TouchPages(buffer, execution);
   EXPECT_GE(looks, 5);
 
-  const Execution interrupted(OnThisThread, [](double) { return false; });
-  EXPECT_THROW(TouchPages(buffer, interrupted), Interrupted);
+  EXPECT_THROW(TouchPages(buffer, MakeInterrupted()), Interrupted);
 }
 
 TEST(TestFirstTouch, NothingToTouch)

@@ -3,6 +3,7 @@
 
 #include "BruteForceSearch.h"
 #include "Dimensions.h"
+#include "MakePointTree.h"
 #include "PointSamples.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +19,8 @@ protected:
 
   static Tree MakeTree(const std::vector<double>& coordinates, std::size_t maxPointsPerLeaf)
   {
-    const PointSpan<Dim, double> points{ coordinates.data(), coordinates.size() / Dim };
-    const PointSelection<Dim> selection(points, {}, Execution());
-    return Tree(points, selection, { maxPointsPerLeaf, MortonKey<Dim>::MaxDepth }, Execution());
+    return MakePointTree(
+      PointSpan<Dim, double>{ coordinates.data(), coordinates.size() / Dim }, maxPointsPerLeaf);
   }
 
   static bool HoldsHomeOf(const Tree& tree, const Position<Dim>& center)

@@ -202,10 +202,7 @@ TEST(TestInRadiusSearchFacts, EmptySpaceCostsNothing)
 
 TEST(TestInRadiusSearchFacts, Order)
 {
-  // The root's bottom-left child is split, and of its children the top-right one. Radii are in
-  // the units of the points: the root has side 8.
-  const SampleTree<2, double> made(
-    PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
+  const SampleTree<2, double> made = MakeThreeDepths();
   const auto expect =
     [&made](std::uint64_t node, double radius, const std::vector<std::uint64_t>& expected)
   {

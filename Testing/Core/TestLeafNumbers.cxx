@@ -35,3 +35,18 @@ TYPED_TEST(TestLeafNumbers, AreThePlacesInTheListOfLeaves)
     }
   }
 }
+
+TEST(TestLeafNumbersFacts, MoreLeavesThanCanBeNumberedAreAnError)
+{
+  if (sizeof(PointIndex) > 4)
+  {
+    GTEST_SKIP() << "no memory holds too many for 64 bits";
+  }
+  const SampleTree<3, double> made(
+    PointSample<3, double>{ "uniform", MakeUniformPoints<3, double>(10, 235) });
+  // What the tree says of their number is looked at, and no more.
+  auto& counts = const_cast<DepthCounts&>(made.Tree.GetDepthCounts());
+  counts.Leaves.back() += std::uint64_t(1) << 32;
+  EXPECT_THROW(LeafNumbers<3>(made.Tree, EmptyOctants::Leaves), std::length_error);
+  EXPECT_NO_THROW(LeafNumbers<3>(made.Tree, EmptyOctants::Missing));
+}

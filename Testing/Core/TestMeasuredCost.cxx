@@ -76,6 +76,5 @@ TEST(TestMeasuredCostFacts, CanBeInterrupted)
 {
   const SampleTree<3, double> made(
     PointSample<3, double>{ "uniform", MakeUniformPoints<3, double>(1000, 102) });
-  const Execution execution(OnThisThread, [](double) { return false; });
-  EXPECT_THROW(MeasureCost<3>(made.Tree, execution), Interrupted);
+  EXPECT_THROW(MeasureCost<3>(made.Tree, MakeInterrupted()), Interrupted);
 }

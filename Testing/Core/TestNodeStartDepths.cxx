@@ -125,8 +125,7 @@ TEST(TestNodeStartDepthsFacts, StopsWhenAsked)
 {
   const SampleTree<3, double> made(
     PointSample<3, double>{ "uniform", MakeUniformPoints<3, double>(100, 831) });
-  const Execution execution(OnThisThread, [](double) { return false; });
-  EXPECT_THROW(NodeStartDepths<3>(made.Tree, execution), Interrupted);
+  EXPECT_THROW(NodeStartDepths<3>(made.Tree, MakeInterrupted()), Interrupted);
 }
 
 TEST(TestNodeStartDepthsFacts, TreesOfOneLeafNeedNone)

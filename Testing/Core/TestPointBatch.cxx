@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointBatch.h"
 
+#include "MakePointTree.h"
 #include "OnThisThread.h"
 #include "PointSamples.h"
 #include "Sanitized.h"
@@ -33,17 +34,12 @@ struct Batch
   }
   void MakeTree()
   {
-    const PointSpan<3, float> points{ this->Coordinates.data(), this->Coordinates.size() / 3 };
-    this->Tree = PointTree<3, float>(
-      points, PointSelection<3>(points, {}, Execution()), { 16, 21 }, Execution());
+    this->Tree = MakePointTree(
+      PointSpan<3, float>{ this->Coordinates.data(), this->Coordinates.size() / 3 }, 16);
   }
   PointSpan<3, double> GetSpan() const
   {
     return { this->Positions.data(), this->Positions.size() / 3 };
-  }
-  Position<3> GetPosition(std::size_t i) const
-  {
-    return { this->GetSpan()[i][0], this->GetSpan()[i][1], this->GetSpan()[i][2] };
   }
 };
 
@@ -59,7 +55,7 @@ void ExpectClosest(
   for (std::size_t i = 0; i < numberOfPositions; i += every)
   {
     std::vector<FoundPoint> found;
-    search.FindClosest(batch.GetPosition(i), count, found);
+    search.FindClosest(GetPosition<3>(batch.GetSpan(), i), count, found);
     ASSERT_EQ(found.empty(), i == 7 || i == 700);
     for (std::size_t j = 0; j < count; ++j)
     {
@@ -84,7 +80,7 @@ void ExpectWithin(
   for (std::size_t i = 0; i < numberOfPositions; i += every)
   {
     std::vector<FoundPoint> found;
-    search.FindWithin(batch.GetPosition(i), radius, found);
+    search.FindWithin(GetPosition<3>(batch.GetSpan(), i), radius, found);
     std::sort(found.begin(), found.end());
     ASSERT_EQ(static_cast<std::size_t>(offsets[i + 1] - offsets[i]), found.size());
     for (std::size_t j = 0; j < found.size(); ++j)
@@ -190,8 +186,7 @@ TEST(TestPointBatch, OfNoPositionsIsEmpty)
 TEST(TestPointBatch, CanBeInterrupted)
 {
   const Batch batch(Few);
-  const Execution execution(OnThisThread, [](double) { return false; });
-  const PointBatch search(batch.Tree, execution);
+  const PointBatch search(batch.Tree, MakeInterrupted());
   std::vector<long long> ids(1500);
   std::vector<double> dist2(1500);
   EXPECT_THROW(search.FindClosest(batch.GetSpan(), 1, ids.data(), dist2.data()), Interrupted);
@@ -202,7 +197,7 @@ TEST(TestPointBatch, HeedsTheSignToStopBeforeEachSearch)
 {
   const Batch batch(1000);
   StopSign::Count stops{ 0 };
-  const PointBatch stopped(batch.Tree, Execution(OnThisThread, {}, StopSign(stops)));
+  const PointBatch stopped(batch.Tree, Execution(OnThreads(3), {}, StopSign(stops)));
   ++stops;
   std::vector<long long> ids(batch.GetSpan().Count, 77);
   std::vector<double> dist2(batch.GetSpan().Count, 77.0);

@@ -3,6 +3,7 @@
 
 #include "BruteForceSearch.h"
 #include "Dimensions.h"
+#include "MakePointTree.h"
 #include "PointSamples.h"
 #include "PointSearch.h"
 
@@ -39,8 +40,7 @@ TYPED_TEST(TestPointBoxWalk, FindsAsBruteForceWhereFacesAreThoseOfCells)
     coordinates.insert(coordinates.end(), dim, offset + 8.0);
     std::generate_n(std::back_inserter(coordinates), 400 * dim, [&] { return pick(0.0, 8.0); });
     const PointSpan<dim, double> points{ coordinates.data(), 402 };
-    const PointTree<dim, double> tree(points, PointSelection<dim>(points, {}, Execution()),
-      { 2, MortonKey<dim>::MaxDepth }, Execution());
+    const auto tree = MakePointTree(points, 2);
     const BruteForceSearch<dim, double> oracle(points);
     for (int i = 0; i < 600; ++i)
     {
@@ -64,8 +64,7 @@ TYPED_TEST(TestPointBoxWalk, FindsAsBruteForceWhereFacesAreThoseOfCells)
 TEST(TestPointBoxWalkFacts, BoxesExamineTheNodesThatTheirFacesCross)
 {
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 166) };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 64);
   const PointSearch<3, float> search(tree);
   EXPECT_EQ(search.CountNodesForWithin({ { -1.0, -1.0, -1.0 }, { 2.0, 2.0, 2.0 } }), 1U);
   // The root's own cube: no child crosses its faces.
@@ -91,9 +90,7 @@ TEST(TestPointBoxWalkFacts, BoxesEndWhereTheySay)
   // Faces so near to points that only the points themselves tell on which side they are: beside a
   // face of cells, which is 0 here, and below the last cell's upper face.
   const PointSample<1, double> sample{ "on faces", { -3.0, 1.0, 0.0, 0.5, 0.75, -1.0, -2.0 } };
-  const PointTree<1, double> tree(sample.GetSpan(),
-    PointSelection<1>(sample.GetSpan(), {}, Execution()), { 1, MortonKey<1>::MaxDepth },
-    Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 1);
   const auto find = [&tree](double lower, double upper)
   {
     std::vector<PointIndex> found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointDescent.h"
 
+#include "MakePointTree.h"
 #include "PointSamples.h"
 #include "PointWalk.h"
 
@@ -49,8 +50,7 @@ TEST(TestPointDescent, PointsAtOnePlaceAreLookedAtOnlyIfOneOfThemIsWithin)
   const std::vector<float> others = MakeUniformPoints<3, float>(1000, 411);
   coordinates.insert(coordinates.end(), others.begin(), others.end());
   const PointSpan<3, float> points{ coordinates.data(), coordinates.size() / 3 };
-  const PointTree<3, float> tree(
-    points, PointSelection<3>(points, {}, Execution()), { 64, 21 }, Execution());
+  const auto tree = MakePointTree(points, 64);
   NoCount nodes;
   for (const double x : { -0.1, -1e-8, 1e-8 }) // Where the leaf of the copies is the nearest.
   {

@@ -3,6 +3,7 @@
 
 #include "BruteForceSearch.h"
 #include "Dimensions.h"
+#include "MakePointTree.h"
 #include "PointSamples.h"
 #include "Rounding.h"
 #include "Sanitized.h"
@@ -53,7 +54,7 @@ protected:
       " points per leaf, to depth " + std::to_string(maxDepth));
     const auto points = sample.GetSpan();
     const PointSelection<Dim> selection(points, {}, Execution());
-    PointTree<Dim, Real> tree(points, selection, { maxPointsPerLeaf, maxDepth }, Execution());
+    auto tree = MakePointTree(points, maxPointsPerLeaf, maxDepth);
     const BruteForceSearch<Dim, Real> oracle(points);
     for (int query = 0; query < queries; ++query)
     {
@@ -227,8 +228,7 @@ TEST(TestPointSearchFacts, BothSidesOfAPlaneAreAlike)
   {
     sample.Coordinates[i + 2] = 0.0F;
   }
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 64);
   const PointSearch<3, float> search(tree);
   for (const double height : { 1e-9, 1e-3, 0.1, 1.0, 10.0, 1e3 })
   {
@@ -255,8 +255,7 @@ TEST(TestPointSearchFacts, NoPositionIsSlowBesideADenseSpot)
   std::vector<double> coordinates = MakeUniformPoints<3, double>(50000, 157, 0.0, 1e-9);
   coordinates.insert(coordinates.end(), 3, 1.0);
   const PointSample<3, double> sample{ "spot", coordinates };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  PointTree<3, double> tree(sample.GetSpan(), selection, { 16, 21 }, Execution());
+  auto tree = MakePointTree(sample.GetSpan(), 16);
   const BruteForceSearch<3, double> oracle(sample.GetSpan());
   for (const Position<3>& x : { Position<3>{ 0.3, 0.1, 0.2 }, Position<3>{ 2e-9, 1e-9, 0.0 },
          Position<3>{ 5e-10, 5e-10, 5e-10 }, Position<3>{ -3.0, 0.0, 7.0 },
@@ -287,10 +286,9 @@ TEST(TestPointSearchFacts, BoxesTellHowNearAPointIs)
   PointSample<3, float> sample{ "corner", std::vector<float>(60000) };
   std::generate(
     sample.Coordinates.begin(), sample.Coordinates.end(), [&] { return coordinate(random); });
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 16, 21 }, Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 16);
   const PointSearch<3, float> search(tree);
-  const Box<3>& box = selection.GetBox();
+  const Box<3> box = PointSelection<3>(sample.GetSpan(), {}, Execution()).GetBox();
   double nodes = 0.0;
   constexpr int queries = 1000;
   for (int query = 0; query < queries; ++query)
@@ -309,8 +307,7 @@ TEST(TestPointSearchFacts, ExaminesFewNodesAmongUniformPoints)
 {
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 162) };
   const auto points = sample.GetSpan();
-  const PointSelection<3> selection(points, {}, Execution());
-  const PointTree<3, float> tree(points, selection, { 64, 21 }, Execution());
+  const auto tree = MakePointTree(points, 64);
   const PointSearch<3, float> search(tree);
   const std::vector<double> uniform = MakeUniformPoints<3, double>(1000, 163);
   double forUniform = 0.0;
@@ -340,12 +337,10 @@ TEST(TestPointSearchFacts, ExaminesFewNodesAmongUniformPoints)
 TEST(TestPointSearchFacts, ExaminesFewerNodesFromLocalStartDepths)
 {
   // Half of the points in a dense corner: one start depth cannot suit both halves.
-  PointSample<3, float> sample{ "two densities", MakeUniformPoints<3, float>(4000, 166) };
-  const std::vector<float> dense = MakeUniformPoints<3, float>(4000, 167, 0.0, 0.01);
-  sample.Coordinates.insert(sample.Coordinates.end(), dense.begin(), dense.end());
+  const PointSample<3, float> sample{ "two densities",
+    MakeTwoDensities<3, float>(8000, 166, 0.01) };
   const auto points = sample.GetSpan();
-  const PointSelection<3> selection(points, {}, Execution());
-  PointTree<3, float> tree(points, selection, { 8, 21 }, Execution());
+  auto tree = MakePointTree(points, 8);
   const PointSearch<3, float> search(tree);
   const auto countNodes = [&](StartDepthModel model)
   {
@@ -373,8 +368,7 @@ TEST(TestPointSearchFacts, BallsFarFromAllPointsExamineNoNode)
   std::vector<double> coordinates = MakeUniformPoints<3, double>(50000, 165, 0.0, 0.01);
   coordinates.insert(coordinates.end(), 3, 1.0);
   const PointSample<3, double> sample{ "corners", coordinates };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, double> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 64);
   const PointSearch<3, double> search(tree);
   const Position<3> x{ 0.5, 0.6, 0.4 };
   EXPECT_EQ(search.CountNodesForWithin(x, 0.3), 0U);
@@ -385,8 +379,7 @@ TEST(TestPointSearchFacts, BallsFarFromAllPointsExamineNoNode)
 TEST(TestPointSearchFacts, ARootThatIsALeafIsOneNode)
 {
   const PointSample<3, float> sample{ "few", MakeUniformPoints<3, float>(5, 168) };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 64);
   const PointSearch<3, float> search(tree);
   const Position<3> x{ 0.5, 0.5, 0.5 };
   EXPECT_EQ(search.CountNodesForClosest(x), 1U);
@@ -397,8 +390,7 @@ TEST(TestPointSearchFacts, ARootThatIsALeafIsOneNode)
 TEST(TestPointSearchFacts, BallsTakeWholeNodesAsTheyAre)
 {
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(50000, 167) };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 64, 21 }, Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 64);
   const PointSearch<3, float> search(tree);
   std::vector<PointIndex> found;
   for (const double away : { 0.5, 3.0, 1e3, 1e6 })
@@ -420,8 +412,7 @@ TEST(TestPointSearchFacts, SmallAndLargeBoxesAreSearchedLikeOthers)
   {
     const std::vector<double> coordinates = MakeUniformPoints<3, double>(20000, 176, 0.0, side);
     const PointSpan<3, double> points{ coordinates.data(), 20000 };
-    const PointTree<3, double> tree(
-      points, PointSelection<3>(points, {}, Execution()), { 64, 21 }, Execution());
+    const auto tree = MakePointTree(points, 64);
     const Position<3> beside{ 1.5 * side, 0.5 * side, 0.5 * side };
     EXPECT_LT((PointSearch<3, double>(tree).CountNodesForClosest(beside)), 50U) << side;
   }
@@ -435,8 +426,7 @@ TEST(TestPointSearchFacts, ManyAreFoundInOrder)
   {
     SCOPED_TRACE(sample.Name);
     const auto points = sample.GetSpan();
-    const PointSelection<3> selection(points, {}, Execution());
-    const PointTree<3, float> tree(points, selection, { 16, 21 }, Execution());
+    const auto tree = MakePointTree(points, 16);
     const PointSearch<3, float> search(tree);
     const Position<3> x{ points[0][0] + 1e-3, points[0][1], points[0][2] };
     const std::vector<OracleFound> all = BruteForceSearch<3, float>(points).FindAll(x);
@@ -460,8 +450,7 @@ void ExpectAsBruteForceInThisMode(
   const std::vector<Real>& coordinates, std::size_t maxPointsPerLeaf, double radius)
 {
   const PointSpan<3, Real> points{ coordinates.data(), coordinates.size() / 3 };
-  const PointTree<3, Real> tree(
-    points, PointSelection<3>(points, {}, Execution()), { maxPointsPerLeaf, 21 }, Execution());
+  const auto tree = MakePointTree(points, maxPointsPerLeaf);
   const PointSearch<3, Real> search(tree);
   for (std::size_t query = 0; query < points.Count; query += points.Count / 100)
   {
@@ -506,8 +495,7 @@ TEST(TestPointSearchFacts, ProcessorsMayRoundOtherwise)
 TEST(TestPointSearchFacts, NothingToFind)
 {
   const PointSample<3, float> sample{ "uniform", MakeUniformPoints<3, float>(100, 155) };
-  const PointSelection<3> selection(sample.GetSpan(), {}, Execution());
-  const PointTree<3, float> tree(sample.GetSpan(), selection, { 8, 21 }, Execution());
+  const auto tree = MakePointTree(sample.GetSpan(), 8);
   const PointTree<3, float> empty;
   const Position<3> inside{ 0.5, 0.5, 0.5 };
   const auto expectNothing = [](const PointTree<3, float>& points, const Position<3>& x)

@@ -2,6 +2,7 @@
 #include "PointTree.h"
 
 #include "Dimensions.h"
+#include "MakePointTree.h"
 #include "OnThisThread.h"
 #include "PointSamples.h"
 #include "SampleTree.h"
@@ -186,8 +187,7 @@ TEST(TestPointTreeFacts, TakesAtMost32BytesPerPoint)
       MakeClusteredPoints<3, float>(100000, 144), spot })
   {
     const PointSpan<3, float> points{ coordinates.data(), 100000 };
-    const PointSelection<3> selection(points, {}, Execution());
-    const PointTree<3, float> tree(points, selection, { 64, 21 }, Execution());
+    const auto tree = MakePointTree(points, 64);
     // With 64-bit ids there are two of them for each point in the spot, and larger blocks.
     const std::size_t most = sizeof(PointIndex) == 4 ? 32 : 44;
     EXPECT_LE(tree.GetBytes(), most * tree.GetNumberOfPoints());
@@ -235,16 +235,14 @@ TEST(TestPointTreeFacts, LeavesAtTheLastDepthHaveTreesOfTheirOwn)
   }
   coordinates.insert(coordinates.end(), std::size_t(3) * 50, 0.5);
   const PointSpan<3, double> points{ coordinates.data(), coordinates.size() / 3 };
-  const PointSelection<3> selection(points, {}, Execution());
-  const PointTree<3, double> tree(points, selection, { 8, 21 }, Execution());
+  const auto tree = MakePointTree(points, 8);
   EXPECT_EQ(ExpectNested(points, tree), 3);
   EXPECT_GT(tree.GetBytes(),
     tree.FindNested(0)->GetBytes() + tree.GetOctree().GetTreeBytes() +
       tree.GetOctree().GetOrderBytes() + coordinates.size() * sizeof(double));
 
   // Where less depth is asked for, leaves are as large as they get.
-  const PointTree<3, double> shallow(points, selection, { 8, 20 }, Execution());
-  EXPECT_EQ(shallow.FindNested(0), nullptr);
+  EXPECT_EQ(MakePointTree(points, 8, 20).FindNested(0), nullptr);
 }
 
 TEST(TestPointTreeFacts, LeavesAtTheLastDepthHoldFourTimesAsManyPointsWithoutATree)
@@ -257,8 +255,7 @@ TEST(TestPointTreeFacts, LeavesAtTheLastDepthHoldFourTimesAsManyPointsWithoutATr
       std::vector<double> coordinates = MakeUniformPoints<3, double>(count, 151, 0.0, 1e-8);
       coordinates.insert(coordinates.end(), 3, 1.0);
       const PointSpan<3, double> points{ coordinates.data(), count + 1 };
-      const PointTree<3, double> tree(
-        points, PointSelection<3>(points, {}, Execution()), { maxPointsPerLeaf, 21 }, Execution());
+      const auto tree = MakePointTree(points, maxPointsPerLeaf);
       EXPECT_EQ(tree.FindNested(0) != nullptr, count > most) << maxPointsPerLeaf << " per leaf";
     }
   }
@@ -272,8 +269,7 @@ TEST(TestPointTreeFacts, NestedTreesEndWhereDifferencesAreFlushedToZero)
   const PointSpan<3, double> points{ coordinates.data(), 301 };
   const unsigned mode = _MM_GET_FLUSH_ZERO_MODE();
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-  const PointTree<3, double> tree(
-    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  const auto tree = MakePointTree(points, 8);
   _MM_SET_FLUSH_ZERO_MODE(mode);
   EXPECT_EQ(tree.GetNumberOfPoints(), 301U);
   EXPECT_EQ(tree.FindNested(0), nullptr);
@@ -290,8 +286,7 @@ TEST(TestPointTreeFacts, FloatsArePartedByWhatTheyDifferByInDouble)
   }
   const PointSpan<3, float> points{ coordinates.data(), 42 };
   const SmallNumbersAreZero mode;
-  const PointTree<3, float> tree(
-    points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution());
+  const auto tree = MakePointTree(points, 8);
   EXPECT_NE(tree.FindNested(1), nullptr);
 }
 #endif
@@ -301,8 +296,7 @@ PointTree<3, float> MakeTreeWithNested()
 {
   std::vector<float> coordinates = MakeUniformPoints<3, float>(2000, 147, 0.0, 1e-9);
   coordinates.insert(coordinates.end(), 3, 1.0F);
-  const PointSpan<3, float> points{ coordinates.data(), 2001 };
-  return { points, PointSelection<3>(points, {}, Execution()), { 8, 21 }, Execution() };
+  return MakePointTree(PointSpan<3, float>{ coordinates.data(), 2001 }, 8);
 }
 
 TEST(TestPointTreeFacts, NestedTreesStartWhereTheModelSays)
@@ -341,8 +335,7 @@ TEST(TestPointTreeFacts, LeavesMayHoldAnyNumberOfPoints)
   const std::size_t most = std::size_t(1) << 62; // Four times as many are no number.
   const auto coordinates = MakeUniformPoints<3, float>(1000, 148);
   const PointSpan<3, float> points{ coordinates.data(), 1000 };
-  const PointTree<3, float> tree(
-    points, PointSelection<3>(points, {}, Execution()), { most, 21 }, Execution());
+  const auto tree = MakePointTree(points, most);
   EXPECT_GE(tree.GetMostAtLastDepth(), most);
 }
 

@@ -105,10 +105,9 @@ TEST(TestQueryDepthsFacts, CanBeInterrupted)
 {
   const PointSample<3, double> sample{ "uniform", MakeUniformPoints<3, double>(1000, 184) };
   const SampleTree<3, double> made(sample);
-  const Execution execution(OnThisThread, [](double) { return false; });
-  EXPECT_THROW(GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), execution), Interrupted);
+  EXPECT_THROW(GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), MakeInterrupted()), Interrupted);
   const auto keys = GetQueryKeys(made.Tree.GetGrid(), sample.GetSpan(), Execution());
   EXPECT_THROW(
-    MeasureQueryDepths(made.Tree, KeySpan<3>{ keys.GetData(), keys.GetSize() }, execution),
+    MeasureQueryDepths(made.Tree, KeySpan<3>{ keys.GetData(), keys.GetSize() }, MakeInterrupted()),
     Interrupted);
 }

@@ -14,14 +14,10 @@ using namespace hashedoctree;
 
 namespace
 {
-/** Half of the points fill the root, the others a corner of it that is 2^-9 as wide. */
 template <int Dim = 3>
-PointSample<Dim, double> MakeTwoDensities()
+PointSample<Dim, double> MakeSample()
 {
-  std::vector<double> coordinates = MakeUniformPoints<Dim, double>(4000, 161);
-  const auto dense = MakeUniformPoints<Dim, double>(4000, 162, 0.0, 1.0 / 512.0);
-  coordinates.insert(coordinates.end(), dense.begin(), dense.end());
-  return { "two densities", coordinates };
+  return { "two densities", MakeTwoDensities<Dim, double>(8000, 161, 1.0 / 512.0) };
 }
 
 MortonKey<3> GetKey(const Octree<3>& tree, const Position<3>& x)
@@ -38,7 +34,7 @@ TYPED_TEST_SUITE(TestStartDepths, Dimensions);
 
 TEST(TestStartDepthsFacts, OneForTheTreeByEachModel)
 {
-  const SampleTree<3, double> made(MakeTwoDensities());
+  const SampleTree<3, double> made(MakeSample());
   const MortonKey<3> key = GetKey(made.Tree, { 0.4, 0.7, 0.2 });
   for (const FrequencyModel frequency :
     { FrequencyModel::Leaves, FrequencyModel::Points, FrequencyModel::Grid })
@@ -60,7 +56,7 @@ TEST(TestStartDepthsFacts, OneForTheTreeByEachModel)
 TYPED_TEST(TestStartDepths, LocalIsTheWeightedMedianOfTheLeavesNearby)
 {
   constexpr int dim = TypeParam::value;
-  const SampleTree<dim, double> made(MakeTwoDensities<dim>());
+  const SampleTree<dim, double> made(MakeSample<dim>());
   constexpr int depth = StartDepths<dim>::LocalDepth;
   const int deepest = made.Tree.GetDeepestDepth();
   // By coarse cell; without points, all leaves weigh the same.
@@ -150,7 +146,7 @@ TYPED_TEST(TestStartDepths, LocalOfAShallowTreeHasCellsLikeItsDeepestLeaves)
 
 TEST(TestStartDepthsFacts, LocalCostsLessWhereDensityVaries)
 {
-  const SampleTree<3, double> made(MakeTwoDensities());
+  const SampleTree<3, double> made(MakeSample());
   const StartDepths<3> median(made.Tree, {});
   const StartDepths<3> local(made.Tree, { StartDepthModel::Local, FrequencyModel::Leaves, 0 });
   std::uint64_t medianCost = 0;
@@ -170,7 +166,7 @@ TEST(TestStartDepthsFacts, LocalCostsLessWhereDensityVaries)
 
 TEST(TestStartDepthsFacts, MeanCostIsThatOfSearchesForTheLeaves)
 {
-  const SampleTree<3, double> made(MakeTwoDensities());
+  const SampleTree<3, double> made(MakeSample());
   for (const StartDepthModel model : { StartDepthModel::Median, StartDepthModel::Mean,
          StartDepthModel::Root, StartDepthModel::Fixed, StartDepthModel::Local })
   {

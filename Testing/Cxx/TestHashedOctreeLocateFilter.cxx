@@ -14,13 +14,9 @@ using Filter = vtkHashedOctreeLocateFilter;
 
 namespace
 {
-/** Half of the points fill the unit cube, the others a corner of it that is 2^-7 as wide. */
-std::vector<double> MakeTwoDensities(std::size_t count, unsigned seed)
+std::vector<double> MakeDensities(std::size_t count, unsigned seed)
 {
-  std::vector<double> coordinates = MakeUniformPoints<3, double>(count / 2, seed);
-  const auto dense = MakeUniformPoints<3, double>(count / 2, seed + 1, 0.0, 1.0 / 128.0);
-  coordinates.insert(coordinates.end(), dense.begin(), dense.end());
-  return coordinates;
+  return MakeTwoDensities<3, double>(count, seed, 1.0 / 128.0);
 }
 
 /** In the unit cube and around it. */
@@ -153,7 +149,7 @@ TEST(TestHashedOctreeLocateFilter, EachQueryIsInTheCellThatItsLeafIdNames)
 {
   for (const int type : { VTK_DOUBLE, VTK_FLOAT })
   {
-    const auto points = MakePolyData(MakeTwoDensities(120, 301), type);
+    const auto points = MakePolyData(MakeDensities(120, 301), type);
     TestedLocateFilter filter(points, MakePolyData(MakeQueries(100, 303), type));
     for (const bool emptyLeaves : { false, true })
     {
@@ -182,7 +178,7 @@ TEST(TestHashedOctreeLocateFilter, EachQueryIsInTheCellThatItsLeafIdNames)
 TEST(TestHashedOctreeLocateFilter, MergedPointsMakeTheSameLeaves)
 {
   // Each point twice, so that without merging leaves end at the last depth.
-  const std::vector<double> once = MakeTwoDensities(120, 305);
+  const std::vector<double> once = MakeDensities(120, 305);
   std::vector<double> twice = once;
   twice.insert(twice.end(), once.begin(), once.end());
   const auto points = MakePolyData(twice);
@@ -197,8 +193,8 @@ TEST(TestHashedOctreeLocateFilter, MergedPointsMakeTheSameLeaves)
 
 TEST(TestHashedOctreeLocateFilter, NumbersLeavesAsTheLocatorDoes)
 {
-  const auto points = MakePolyData(MakeTwoDensities(400, 304));
-  const auto queries = MakePolyData(MakeTwoDensities(400, 306));
+  const auto points = MakePolyData(MakeDensities(400, 304));
+  const auto queries = MakePolyData(MakeDensities(400, 306));
   TestedLocateFilter filter(points, queries);
   for (const int maxPointsPerLeaf : { 1, 20, 1000 }) // The last one: the root is the only leaf.
   {
@@ -219,7 +215,7 @@ TEST(TestHashedOctreeLocateFilter, NumbersLeavesAsTheLocatorDoes)
 TEST(TestHashedOctreeLocateFilter, EachCostIsThatOfItsModel)
 {
   TestedLocateFilter filter(
-    MakePolyData(MakeTwoDensities(1000, 308)), MakePolyData(MakeQueries(500, 310)));
+    MakePolyData(MakeDensities(1000, 308)), MakePolyData(MakeQueries(500, 310)));
   for (const int frequency : { Filter::Leaves, Filter::Points, Filter::Grid })
   {
     for (const int model : { Filter::Median, Filter::Mean, Filter::Root, Filter::Fixed })
@@ -257,7 +253,7 @@ TEST(TestHashedOctreeLocateFilter, EachCostIsThatOfItsModel)
 TEST(TestHashedOctreeLocateFilter, MeasuredMeansAreThoseOfTheArrays)
 {
   TestedLocateFilter filter(
-    MakePolyData(MakeTwoDensities(3000, 312)), MakePolyData(MakeTwoDensities(5000, 314)));
+    MakePolyData(MakeDensities(3000, 312)), MakePolyData(MakeDensities(5000, 314)));
   filter->SetStartDepthModel(Filter::Fixed);
   filter->SetFixedStartDepth(9);
   filter.Update();
@@ -275,8 +271,8 @@ TEST(TestHashedOctreeLocateFilter, MeasuredMeansAreThoseOfTheArrays)
 
 TEST(TestHashedOctreeLocateFilter, TheBestStartDepthIsTheBestOfAll)
 {
-  TestedLocateFilter filter(MakePolyData(MakeTwoDensities(3000, 316)), nullptr);
-  const std::vector<double> samples[] = { MakeQueries(777, 318), MakeTwoDensities(778, 319),
+  TestedLocateFilter filter(MakePolyData(MakeDensities(3000, 316)), nullptr);
+  const std::vector<double> samples[] = { MakeQueries(777, 318), MakeDensities(778, 319),
     MakeUniformPoints<3, double>(50, 321, 0.0, 1.0 / 128.0), { 0.5, 0.5, 0.5 } };
   for (const auto& queries : samples)
   {
@@ -304,7 +300,7 @@ TEST(TestHashedOctreeLocateFilter, QueriesThatAreThePointsCostWhatThePointsModel
 {
   for (const int type : { VTK_DOUBLE, VTK_FLOAT })
   {
-    const auto points = MakePolyData(MakeTwoDensities(3000, 322), type);
+    const auto points = MakePolyData(MakeDensities(3000, 322), type);
     TestedLocateFilter filter(points, points);
     filter->SetFrequencyModel(Filter::Points);
     for (const int maxPointsPerLeaf : { 1, 10 })
@@ -325,7 +321,7 @@ TEST(TestHashedOctreeLocateFilter, QueriesThatAreThePointsCostWhatThePointsModel
 
 TEST(TestHashedOctreeLocateFilter, PredictsWhatTheOctreeFilterPredicts)
 {
-  const auto points = MakePolyData(MakeTwoDensities(500, 324));
+  const auto points = MakePolyData(MakeDensities(500, 324));
   TestedLocateFilter filter(points, MakePolyData(MakeQueries(10, 326)));
   TestedFilter shown;
   shown->SetInputData(points);
@@ -353,7 +349,7 @@ TEST(TestHashedOctreeLocateFilter, PredictsWhatTheOctreeFilterPredicts)
 TEST(TestHashedOctreeLocateFilter, TheTableHasARowForEachModel)
 {
   TestedLocateFilter filter(
-    MakePolyData(MakeTwoDensities(100, 327)), MakePolyData(MakeQueries(10, 329)));
+    MakePolyData(MakeDensities(100, 327)), MakePolyData(MakeQueries(10, 329)));
   for (const int model : { Filter::Median, Filter::Fixed })
   {
     filter->SetStartDepthModel(model);
@@ -387,7 +383,7 @@ TEST(TestHashedOctreeLocateFilter, TheTableHasARowForEachModel)
 TEST(TestHashedOctreeLocateFilter, RunsOnlyAfterAChange)
 {
   TestedLocateFilter filter(
-    MakePolyData(MakeTwoDensities(100, 330)), MakePolyData(MakeQueries(10, 332)));
+    MakePolyData(MakeDensities(100, 330)), MakePolyData(MakeQueries(10, 332)));
   filter.Update();
   filter->Update(1);
   filter->SetMaxPointsPerLeaf(0); // Clamped to what it is.

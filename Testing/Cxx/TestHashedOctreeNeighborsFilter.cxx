@@ -215,7 +215,7 @@ TEST(TestHashedOctreeNeighborsFilter, HasTheDocumentedDefaults)
   EXPECT_EQ(filter->GetStartDepthModel(), Filter::Median);
   EXPECT_EQ(filter->GetFixedStartDepth(), 0);
   EXPECT_EQ(filter->GetMaxPointsPerLeaf(), 1);
-  EXPECT_FALSE(filter->GetIncludeEmptyLeaves());
+  EXPECT_TRUE(filter->GetIncludeEmptyLeaves());
   EXPECT_EQ(filter->GetNumberOfInputPorts(), 1);
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 1);
 }

@@ -203,7 +203,7 @@ TEST(TestHashedOctreePointLocatorBatches, FewerPointsThanAskedFor)
 
 TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
 {
-  TestedLocator nothing;
+  TestedLocator nothing(MakePolyData<double>({}));
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
     nothing, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
   TestedLocator locator(MakeUniform(30, 182));

@@ -305,6 +305,7 @@ TEST(TestHashedOctreePointLocatorBuild, UseExistingSearchStructureWaitsForPoints
     TestedLocator locator(first);
     locator->UseExistingSearchStructureOn();
     EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), -1);
+    locator.Errors.clear();
     locator.Warnings.clear();
     locator->SetDataSet(points);
     EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), 0);
@@ -415,7 +416,9 @@ TEST(TestHashedOctreePointLocatorBuild, TellsOfItsTree)
   TestedLocator ofDoubles(
     MakePolyData(std::vector<double>(coordinates.begin(), coordinates.end())));
   ofDoubles->BuildLocator();
-  EXPECT_EQ(ofDoubles->GetIndexBytes() - locator->GetIndexBytes(), 10000 * 3 * 4)
+  // But for what stands behind the last coordinate.
+  EXPECT_NEAR(static_cast<double>(ofDoubles->GetIndexBytes() - locator->GetIndexBytes()),
+    10000 * 3 * (sizeof(double) - sizeof(float)), 100)
     << "floats stay floats";
 
   locator->SetMaxDepth(2);

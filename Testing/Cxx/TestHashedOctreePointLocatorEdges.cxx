@@ -5,6 +5,8 @@
 #include "TestedLocator.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -39,14 +41,34 @@ Ids MakeIds(std::int64_t count)
 
 TEST(TestHashedOctreePointLocatorEdges, WithoutPointsNothingIsFoundSilently)
 {
-  TestedLocator ofNothing;
-  ExpectNoTree(ofNothing);
   TestedLocator ofNoArray(vtkSmartPointer<vtkPolyData>::New());
   ExpectNoTree(ofNoArray);
   TestedLocator ofNoPoints(MakePolyData<float>({}));
   ExpectNoTree(ofNoPoints);
   TestedLocator ofNoImage(vtkSmartPointer<vtkImageData>::New());
   ExpectNoTree(ofNoImage);
+}
+
+TEST(TestHashedOctreePointLocatorEdges, NoDataSetIsAnErrorOfTheBuild)
+{
+  TestedLocator locator;
+  ExpectNoTree(locator);
+  locator.ExpectError("SetDataSet()");
+  ExpectNoTree(locator);
+  locator->Modified();
+  ExpectNoTree(locator);
+  locator.ExpectError("SetDataSet()");
+  vtkNew<vtkDoubleArray> queries;
+  queries->SetNumberOfComponents(3);
+  queries->InsertNextTuple3(4, 0, 0);
+  vtkNew<vtkIdTypeArray> ids;
+  vtkNew<vtkDoubleArray> dist2;
+  EXPECT_FALSE(locator->FindClosestPoints(queries, ids, dist2));
+  EXPECT_EQ(ids->GetNumberOfTuples(), 0);
+  locator.ExpectError("SetDataSet()");
+  locator->SetDataSet(MakePolyData<float>({ 0, 0, 0, 5, 0, 0 }));
+  EXPECT_TRUE(locator->FindClosestPoints(queries, ids, dist2));
+  EXPECT_EQ(ids->GetValue(0), 1);
 }
 
 TEST(TestHashedOctreePointLocatorEdges, NothingToPutAnswersIntoIsAnError)
@@ -159,6 +181,10 @@ TEST(TestHashedOctreePointLocatorEdges, DataMayBeEmptiedAfterABuild)
       locator->SetDataSet(MakePolyData<double>({}));
     }
     ExpectNoTree(locator);
+    if (locator->GetDataSet() == nullptr)
+    {
+      locator.ExpectError("SetDataSet()");
+    }
   }
 }
 

@@ -53,7 +53,7 @@ TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
 {
   const double x[3] = { 0.5, 0.5, 0.5 };
   const double notFinite[3] = { 0.5, NAN, 0.5 };
-  TestedLocator locator;
+  TestedLocator locator(MakePolyData(std::vector<double>{}));
   for (const double* position : { x, notFinite })
   {
     EXPECT_EQ(locator->GetLeafId(position), -1);

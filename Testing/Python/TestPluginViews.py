@@ -77,6 +77,14 @@ assert list(shown.SeriesVisibility) == sorted(octreetesting.COSTS[1:-1]), shown.
 assert view.BottomAxisTitle and view.LeftAxisTitle
 assert view.BottomAxisUseCustomLabels and list(view.BottomAxisLabels)[:4] == ["0", "0", "1", "1"]
 
+# The eye of a table shows it in the active view: if that is the other one's chart, it stays as it is.
+for port in (1, 2):
+    view, shown = show(port)
+    simple.Show(servermanager.OutputPort(octree, 3 - port), view)
+    simple.Render(view)
+    assert len(view.Representations) == 2, view.Representations
+    assert drawn(shown)[0] == LABELS[port], drawn(shown)
+
 # Charts draw the tables of composite data, and what is chosen for a column holds in every block.
 blocks = simple.GroupDatasets(Input=[octree.Input, simple.Sphere(Center=[9.0, 0.0, 0.0])])
 partitions = simple.ConvertToPartitionedDataSetCollection(Input=octree.Input)

@@ -108,6 +108,8 @@ del locator, positions
 assert len(ids) == 2 and (ids >= 0).all()
 
 locator = vtkHashedOctreePointLocator()
+expect_error(RuntimeError, find_closest_points, locator, numpy.zeros((3, 3)), words="SetDataSet()")
+locator.SetDataSet(make_points(numpy.zeros((0, 3))))
 ids, dist2 = find_closest_n_points(locator, 2, numpy.zeros((3, 3)))
 assert (ids == -1).all() and numpy.isinf(dist2).all()
 assert find_closest_n_points(locator, 0, numpy.zeros((3, 3)))[0].shape == (3, 0)

@@ -128,6 +128,8 @@ def check_property(property_, filter_, name, enumeration):
     assert text and len(text.strip()) > 20, name
     # What the domain does not allow, the class clamps.
     domain = property_.FindDomain("vtkSMIntRangeDomain")
+    is_number = property_.IsA("vtkSMIntVectorProperty") and not property_.FindDomain("vtkSMBooleanDomain")
+    assert domain or enumeration or not is_number, name
     if domain:
         for exists, limit, beyond in ((domain.GetMinimumExists(0), domain.GetMinimum(0), -2**31),
                                       (domain.GetMaximumExists(0), domain.GetMaximum(0), 2**31 - 1)):

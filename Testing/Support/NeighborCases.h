@@ -9,6 +9,13 @@
 #include <algorithm>
 #include <vector>
 
+/** Its root has side 8; the bottom-left child is split, and of its children the top-right one. */
+inline SampleTree<2, double> MakeThreeDepths()
+{
+  return SampleTree<2, double>(
+    PointSample<2, double>{ "three depths", { 0.0, 0.0, 2.1, 2.1, 3.1, 3.1, 8.0, 8.0 } });
+}
+
 /** The keys of found neighbours, in their order; one found twice is there twice. */
 template <int Dim>
 std::vector<std::uint64_t> GetKeys(const std::vector<hashedoctree::Neighbor<Dim>>& found)

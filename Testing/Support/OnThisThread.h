@@ -16,4 +16,10 @@ inline void OnThisThread(
   }
 }
 
+/** Interrupted at its first look at progress. */
+inline hashedoctree::Execution MakeInterrupted()
+{
+  return hashedoctree::Execution(OnThisThread, [](double) { return false; });
+}
+
 #endif

@@ -40,6 +40,16 @@ std::vector<Real> MakeUniformPoints(
   return coordinates;
 }
 
+/** Half of the points fill the unit cube, the others a corner of it. */
+template <int Dim, typename Real>
+std::vector<Real> MakeTwoDensities(std::size_t count, unsigned seed, double widthOfCorner)
+{
+  std::vector<Real> coordinates = MakeUniformPoints<Dim, Real>(count / 2, seed);
+  const auto dense = MakeUniformPoints<Dim, Real>(count / 2, seed + 1, 0.0, widthOfCorner);
+  coordinates.insert(coordinates.end(), dense.begin(), dense.end());
+  return coordinates;
+}
+
 /** `count` points on the unit sphere around the origin. */
 template <int Dim, typename Real>
 std::vector<Real> MakeSpherePoints(std::size_t count, unsigned seed)
