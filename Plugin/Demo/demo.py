@@ -26,7 +26,7 @@ HALF = PICTURE_SIZE[0] // 2, 860  # of a picture of the octree, above its legend
 MOST_STEPS = 33  # depths and costs are less
 # To show all of more leaves than these, or a slice through them, takes too long for a demo.
 MOST_LEAVES_SHOWN = 4_000_000
-GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu .csv"
+GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu, or a .csv with columns x, y and z"
 TEXT, EDGE, WHITE, BLACK = [0.13] * 3, [0.13] * 3, [1.0] * 3, [0.0] * 3
 # From shallow or cheap to deep or dear: matplotlib's viridis without its darkest quarter, in which no edges would be
 # seen. It only grows lighter, so that the order is seen without colours and by the colour-blind, too.
