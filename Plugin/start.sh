@@ -3,9 +3,9 @@
 #
 # Sets everything up, then shows the octree of the points in FILE in ParaView.
 #   Plugin/start.sh [--batch] [FILE]
-# FILE is anything that ParaView reads (.ply .obj .stl .vtp .vtk .vtu ..., .csv with columns x, y and
-# z); without it, a measured terrain is shown. Without a display, or with --batch, pictures and tables
-# are written to build/demo/ instead.
+# FILE is anything that ParaView reads (.ply .obj .stl .vtp .vtk .vtu ...), or text (.csv .tsv .txt .xyz
+# .asc) with columns x, y and z, or with these first and no names; without it, a measured terrain is
+# shown. Without a display, or with --batch, pictures and tables are written to build/demo/ instead.
 set -euo pipefail
 
 root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
@@ -45,12 +45,13 @@ check_file() {
 show_in_paraview() {
   echo "Opening ParaView; its messages go to $log"
   # --dr: ParaView's welcome window would hold the script up, and the user's settings stay as they are.
-  paraview --dr --plugin-search-paths="${plugin%/*}" --plugins=HashedOctree \
+  PYTHONPATH="$root/Plugin/Demo${PYTHONPATH:+:$PYTHONPATH}" PYTHONDONTWRITEBYTECODE=1 \
+    paraview --dr --plugin-search-paths="${plugin%/*}" --plugins=HashedOctree \
     --script="$root/Plugin/Demo/demo.py" >"$log" 2>&1 || fail_with_log
 }
 
 write_pictures() {
-  "$root/Plugin/with_display.sh" pvpython "$root/Plugin/Demo/demo.py" \
+  PYTHONDONTWRITEBYTECODE=1 "$root/Plugin/with_display.sh" pvpython "$root/Plugin/Demo/demo.py" \
     --batch --plugin "$plugin" --output "$demo" 2>"$log" || fail_with_log
   echo "Pictures and tables are in $demo"
 }

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shows the octree of a file's points: its leaves, its depth histogram and what searches in it cost.
 
-In ParaView:   HASHEDOCTREE_FILE=FILE paraview --plugins=HashedOctree --script=demo.py
+In ParaView:   PYTHONPATH=Plugin/Demo HASHEDOCTREE_FILE=FILE paraview --plugins=HashedOctree --script=demo.py
 As pictures:   HASHEDOCTREE_FILE=FILE pvpython demo.py --batch --plugin HashedOctree.so --output DIR
 
-FILE is anything that ParaView reads. The second form writes four pictures and two tables into DIR, all or none,
-and prints a summary. One file, because ParaView does not tell a script where it lies.
+FILE is what read_points.py reads. The second form writes four pictures and two tables into DIR, all or none, and
+prints a summary. ParaView does not tell a script where it lies, hence PYTHONPATH.
 """
 import argparse
 import contextlib
@@ -17,8 +17,8 @@ import tempfile
 
 import numpy as np
 from paraview import servermanager, simple
+from read_points import DemoError, read_points
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkTable
 
 PICTURE_SIZE = 1600, 1000
@@ -26,16 +26,11 @@ HALF = PICTURE_SIZE[0] // 2, 860  # of a picture of the octree, above its legend
 MOST_STEPS = 33  # depths and costs are less
 # To show all of more leaves than these, or a slice through them, takes too long for a demo.
 MOST_LEAVES_SHOWN = 4_000_000
-GOOD_FILES = "give a file with points, such as .ply .obj .stl .vtp .vtk .vtu, or a .csv with columns x, y and z"
 TEXT, EDGE, WHITE, BLACK = [0.13] * 3, [0.13] * 3, [1.0] * 3, [0.0] * 3
 # From shallow or cheap to deep or dear: matplotlib's viridis without its darkest quarter, in which no edges would be
 # seen. It only grows lighter, so that the order is seen without colours and by the colour-blind, too.
 SCALE = np.array([[0x3b, 0x52, 0x8b], [0x2c, 0x72, 0x8e], [0x21, 0x91, 0x8c], [0x28, 0xae, 0x80], [0x5e, 0xc9, 0x62],
                   [0xad, 0xdc, 0x30], [0xfd, 0xe7, 0x25]]) / 255
-
-
-class DemoError(Exception):
-    """What went wrong and what to do, in one line."""
 
 
 def stop(number, _):
@@ -64,77 +59,6 @@ def quiet():
 
 
 # ---- Data -----------------------------------------------------------------------------------------------------------
-
-def read_points(path):
-    """A source whose output is one data set with explicit points."""
-    if not path:
-        raise DemoError("no file; name one in HASHEDOCTREE_FILE")
-    if not os.path.isfile(path):
-        raise DemoError(f"{path} {'is not a file' if os.path.exists(path) else 'does not exist'}; "
-                        "give a file with points")
-    if not os.access(path, os.R_OK):
-        raise DemoError(f"{path} may not be read; change its permissions or give another file")
-    try:
-        source = simple.OpenDataFile(path)
-    except UnicodeEncodeError:
-        raise DemoError(f"the name of {path} is not UTF-8, which ParaView needs; rename it") from None
-    except RuntimeError:
-        source = None
-    if not source:
-        raise DemoError(f"ParaView cannot read {path}; {GOOD_FILES}")
-    simple.RenameSource(os.path.basename(path), source)
-    source.UpdatePipeline()
-    source = to_point_set(source, path)
-    if source.GetDataInformation().GetNumberOfPoints() == 0:
-        if has_appended_data(path):
-            raise DemoError(f"{path} gave no points; if it holds some, save it as ascii or inline binary: ParaView 5.11 "
-                            "cannot read appended data with the expat of Debian's security updates")
-        raise DemoError(f"ParaView finds no points in {path}; {GOOD_FILES}")
-    return source
-
-
-def has_appended_data(path):
-    """Whether a file is one of VTK's XML formats with its arrays after the XML."""
-    with open(path, "rb") as file:
-        return b"<VTKFile" in file.read(1024) and b"<AppendedData" in file.read()
-
-
-def to_point_set(source, path):
-    """Blocks become one data set, rows of a table points, and a grid with implied points gets explicit ones."""
-    information = source.GetDataInformation().DataInformation
-    if information.IsCompositeDataSet():
-        source = simple.MergeBlocks(Input=source, MergePoints=0)
-        source.UpdatePipeline()
-        information = source.GetDataInformation().DataInformation
-    if information.DataSetTypeIsA("vtkTable"):
-        return to_points(source, path)
-    if not information.DataSetTypeIsA("vtkDataSet"):
-        raise DemoError(f"ParaView reads {path} as a {information.GetDataClassName()}, which is no data set with points; "
-                        "give it in another format")
-    if not information.DataSetTypeIsA("vtkPointSet"):
-        source = simple.ConvertToPointCloud(Input=source)
-        source.UpdatePipeline()
-    return source
-
-
-def to_points(rows, path):
-    """Points from the columns x, y and z of a table, or from those that ParaView writes."""
-    row_data = rows.GetDataInformation().DataInformation.GetRowDataInformation()
-    every = [row_data.GetArrayInformation(i) for i in range(row_data.GetNumberOfArrays())]
-    if not every:
-        raise DemoError(f"{path} is a table without rows; give one with points")
-    columns = {column.GetName().strip().lower(): column for column in every}
-    for names in ("xyz", ("points:0", "points:1", "points:2"), ("points_0", "points_1", "points_2")):
-        if all(name in columns for name in names):
-            for name in names:
-                if columns[name].GetDataType() == VTK_STRING:
-                    raise DemoError(f"column {name} of {path} holds words; give a number in each row")
-            points = simple.TableToPoints(Input=rows)
-            points.XColumn, points.YColumn, points.ZColumn = (columns[name].GetName() for name in names)
-            points.UpdatePipeline()
-            return points
-    raise DemoError(f"{path} is a table without columns x, y and z; name those of the coordinates so, in its first line")
-
 
 def apply_octree(source, path):
     octree = simple.HashedOctree(Input=source)

@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 from vtkmodules.numpy_interface.dataset_adapter import numpyTovtkDataArray
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 folder = octreetesting.argument("-T")
@@ -88,7 +89,15 @@ for first_line in ("Intensity,X,Y,Z", "a, x, y, z", "x,y,z,Points:3", "Points:0,
     rows = os.path.join(folder, "rows.csv")
     np.savetxt(rows, random.random((200, 4)), delimiter=",", header=first_line, comments="")
     expect_demo(rows, 200)
-np.savetxt(rows, random.random((200, 4)), delimiter=",")
+# Text as it comes: columns between commas, semicolons, tabs or spaces, with names or without.
+for suffix, delimiter, names in ((".xyz", " ", ""), (".txt", "   ", "x   y   z   a"), (".asc", "\t", ""),
+                                 (".tsv", "\t", "X\tY\tZ\ta"), (".csv", ";", "z;y;x;a"), (".csv", ",", "")):
+    text = os.path.join(folder, "text" + suffix)
+    columns = 100.0 * random.random((200, 4)) - 50.0
+    np.savetxt(text, columns, delimiter=delimiter, header=names, comments="")
+    points = vtk_to_numpy(demo.servermanager.Fetch(demo.read_points(text)).GetPoints().GetData())
+    assert np.allclose(points, columns[:, [2, 1, 0] if names.startswith("z") else [0, 1, 2]], rtol=1e-6), text
+np.savetxt(rows, random.random((200, 4)), delimiter=",", header="u,v,w,x", comments="")
 # The window: a quadtree is seen from above with all of its leaves; charts follow the octree, whatever becomes of it.
 for name, points in (("flat.vtp", flat), ("hills.vtp", hills)):
     earlier = demo.simple.GetViews()
