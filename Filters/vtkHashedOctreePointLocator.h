@@ -28,9 +28,10 @@
  * - To ask for more points than there are finds all, for 0 or fewer none, both silently.
  * - A position may lie anywhere, any number of widths away from the data. One that is not finite
  *   has no closest point (-1, or an empty list).
- * - Without points queries find nothing (-1, or an empty list), silently. So they do without a data
- *   set, which is an error of each build. (But a tree that UseExistingSearchStructure, which
- * VTK 9.1 does not have, keeps still answers after SetDataSet(nullptr).)
+ * - Without points, or without a data set, queries find nothing (-1, or an empty list): without
+ *   points silently, without a data set after an error of each build. (But a tree that is kept by
+ *   UseExistingSearchStructure, which VTK 9.1 does not have, still answers after
+ *   SetDataSet(nullptr).)
  * - Lists are always reset first. A squared distance is set exactly when a point is found.
  * - Points with a coordinate that is not finite, or further from 0 than a quarter of the largest
  *   double (4.49e307), are never found; each build that meets some says so in one warning with

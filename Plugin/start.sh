@@ -45,13 +45,12 @@ check_file() {
 show_in_paraview() {
   echo "Opening ParaView; its messages go to $log"
   # --dr: ParaView's welcome window would hold the script up, and the user's settings stay as they are.
-  PYTHONPATH="$root/Plugin/Demo${PYTHONPATH:+:$PYTHONPATH}" PYTHONDONTWRITEBYTECODE=1 \
-    paraview --dr --plugin-search-paths="${plugin%/*}" --plugins=HashedOctree \
+  paraview --dr --plugin-search-paths="${plugin%/*}" --plugins=HashedOctree \
     --script="$root/Plugin/Demo/demo.py" >"$log" 2>&1 || fail_with_log
 }
 
 write_pictures() {
-  PYTHONDONTWRITEBYTECODE=1 "$root/Plugin/with_display.sh" pvpython "$root/Plugin/Demo/demo.py" \
+  "$root/Plugin/with_display.sh" pvpython "$root/Plugin/Demo/demo.py" \
     --batch --plugin "$plugin" --output "$demo" 2>"$log" || fail_with_log
   echo "Pictures and tables are in $demo"
 }
@@ -88,7 +87,8 @@ if [[ -z "$file" ]]; then
 fi
 export HASHEDOCTREE_FILE="$file"
 plugin="$("$root/Plugin/find_plugin.sh")"
-export PYTHONPATH="$root/build/lib/python3/dist-packages${PYTHONPATH:+:$PYTHONPATH}"
+export PYTHONPATH="$root/build/lib/python3/dist-packages:$root/Plugin/Demo${PYTHONPATH:+:$PYTHONPATH}"
+export PYTHONDONTWRITEBYTECODE=1 # so that nothing is written into Plugin/
 export VTK_SMP_BACKEND_IN_USE="${VTK_SMP_BACKEND_IN_USE:-STDThread}" # ParaView's own is one thread
 if [[ $batch == yes ]]; then
   write_pictures

@@ -415,8 +415,8 @@ private:
     return counts.FirstHalf[place] + counts.SecondHalf[place] != count;
   }
 
-  /** Of each digit the places where each half puts its first point, instead of their numbers;
-   * returns how many digits there are points of. */
+  /** Replaces the counts of each digit by the places where each half puts its first point of it;
+   * returns how many digits have points. */
   static std::size_t CountsToPlaces(const Counters& counts, std::size_t digits)
   {
     PointIndex sum = 0;

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Shows the octree of a file's points: its leaves, its depth histogram and what searches in it cost.
 
-In ParaView:   PYTHONPATH=Plugin/Demo HASHEDOCTREE_FILE=FILE paraview --plugins=HashedOctree --script=demo.py
+In ParaView:   HASHEDOCTREE_FILE=FILE PYTHONPATH=. paraview --plugins=HashedOctree --script=demo.py
 As pictures:   HASHEDOCTREE_FILE=FILE pvpython demo.py --batch --plugin HashedOctree.so --output DIR
 
-FILE is what read_points.py reads. The second form writes four pictures and two tables into DIR, all or none, and
-prints a summary. ParaView does not tell a script where it lies, hence PYTHONPATH.
+Both in this folder. FILE is what read_points.py reads. The second form writes four pictures and two tables into DIR,
+all or none, and prints a summary. (ParaView does not tell a script where it lies, hence PYTHONPATH.)
 """
 import argparse
 import contextlib

@@ -38,29 +38,30 @@ def read_points(path):
     source = to_point_set(source, path)
     if source.GetDataInformation().GetNumberOfPoints() == 0:
         if has_appended_data(path):
-            raise DemoError(f"{path} gave no points; if it holds some, save it as ascii or inline binary: ParaView 5.11 "
-                            "cannot read appended data with the expat of Debian's security updates")
+            raise DemoError(f"{path} gave no points; if it holds some, save it as ascii or inline binary: ParaView 5.11"
+                            " cannot read appended data with the expat of Debian's security updates")
         raise DemoError(f"ParaView finds no points in {path}; {GOOD_FILES}")
     return source
 
 
 def open_rows(path):
-    """A reader of the rows of a text file, with commas, semicolons, tabs or spaces between the columns, and with or
-    without their names above them."""
-    with open(path, encoding="utf-8", errors="replace") as file:
-        first_row = file.readline()
-    delimiter = next((mark for mark in ",;\t" if mark in first_row), " ")
-    return simple.CSVReader(FileName=[path], FieldDelimiterCharacters=delimiter,
-                            MergeConsecutiveDelimiters=delimiter == " ",
-                            HaveHeaders=not all(map(is_number, first_row.strip().split(delimiter))))
+    """A reader of the rows of a text file, with semicolons, commas, tabs or spaces between the columns, and with or
+    without their names above them, which may stand behind # or //."""
+    with open(path, encoding="utf-8-sig", errors="replace") as file:
+        first_row = file.readline().strip()
+    delimiter = next((mark for mark in ";,\t" if mark in first_row), None)
+    # Between spaces a # before the names is no name of its own.
+    return simple.CSVReader(FileName=[path], FieldDelimiterCharacters=delimiter or " \t#",
+                            MergeConsecutiveDelimiters=not delimiter,
+                            HaveHeaders=not all(map(is_number, first_row.split(delimiter))))
 
 
 def is_number(text):
     try:
-        float(text)
+        float(text.strip(' "') or 0)
         return True
     except ValueError:
-        return not text.strip()
+        return False
 
 
 def has_appended_data(path):
@@ -79,8 +80,8 @@ def to_point_set(source, path):
     if information.DataSetTypeIsA("vtkTable"):
         return to_points(source, path)
     if not information.DataSetTypeIsA("vtkDataSet"):
-        raise DemoError(f"ParaView reads {path} as a {information.GetDataClassName()}, which is no data set with points; "
-                        "give it in another format")
+        raise DemoError(f"ParaView reads {path} as a {information.GetDataClassName()}, which is no data set with "
+                        "points; give it in another format")
     if not information.DataSetTypeIsA("vtkPointSet"):
         source = simple.ConvertToPointCloud(Input=source)
         source.UpdatePipeline()
@@ -89,19 +90,28 @@ def to_point_set(source, path):
 
 def to_points(rows, path):
     """Points from the columns of a table that have the names of COORDINATES."""
-    row_data = rows.GetDataInformation().DataInformation.GetRowDataInformation()
+    information = rows.GetDataInformation().DataInformation
+    row_data = information.GetRowDataInformation()
     every = [row_data.GetArrayInformation(i) for i in range(row_data.GetNumberOfArrays())]
     if not every:
-        raise DemoError(f"{path} is a table without rows; give one with points")
-    columns = {column.GetName().strip().lower(): column for column in every}
+        raise DemoError(f"{path} is a table without rows, or not in UTF-8; give one with points")
+    if not all(column.GetName() for column in every):  # ParaView 5.11 crashes where it lists them
+        raise DemoError(f"{path} has a column without a name; name all in its first line, and end it behind the last")
+    columns = {column.GetName().strip(" #/").lower(): column for column in every}
     for names in COORDINATES:
         if all(name in columns for name in names):
             for name in names:
-                if columns[name].GetDataType() == VTK_STRING:
-                    raise DemoError(f"column {name} of {path} holds words; give a number in each row")
+                check_column(name, columns[name], information.GetNumberOfRows(), path)
             points = simple.TableToPoints(Input=rows)
             points.XColumn, points.YColumn, points.ZColumn = (columns[name].GetName() for name in names)
             points.UpdatePipeline()
             return points
-    raise DemoError(f"{path} is a table without columns x, y and z; name those of the coordinates so, in its first "
-                    "line, or give one without names that begins with them")
+    raise DemoError(f"{path} is a table with the columns {', '.join(columns)[:60]}, without x, y and z; name those of"
+                    " the coordinates so, in its first line, or give one without names that begins with them")
+
+
+def check_column(name, column, number_of_rows, path):
+    if column.GetDataType() == VTK_STRING:
+        raise DemoError(f"column {name} of {path} holds words; give a number in each row, with a decimal point")
+    if column.GetNumberOfTuples() < number_of_rows:  # TableToPoints would read behind it
+        raise DemoError(f"column {name} of {path} ends early; give a number in each row")

@@ -5,6 +5,8 @@
 #include "NodeList.h"
 #include "SampleTree.h"
 
+#include <stdexcept>
+
 using namespace hashedoctree;
 
 template <typename Dimension>

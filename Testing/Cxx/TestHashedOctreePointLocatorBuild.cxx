@@ -305,7 +305,10 @@ TEST(TestHashedOctreePointLocatorBuild, UseExistingSearchStructureWaitsForPoints
     TestedLocator locator(first);
     locator->UseExistingSearchStructureOn();
     EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), -1);
-    locator.Errors.clear();
+    if (first == nullptr)
+    {
+      locator.ExpectError("SetDataSet()");
+    }
     locator.Warnings.clear();
     locator->SetDataSet(points);
     EXPECT_EQ(locator->FindClosestPoint(1, 2, 3), 0);

@@ -91,10 +91,12 @@ for first_line in ("Intensity,X,Y,Z", "a, x, y, z", "x,y,z,Points:3", "Points:0,
     expect_demo(rows, 200)
 # Text as it comes: columns between commas, semicolons, tabs or spaces, with names or without.
 for suffix, delimiter, names in ((".xyz", " ", ""), (".txt", "   ", "x   y   z   a"), (".asc", "\t", ""),
-                                 (".tsv", "\t", "X\tY\tZ\ta"), (".csv", ";", "z;y;x;a"), (".csv", ",", "")):
+                                 (".tsv", "\t", "X\tY\tZ\ta"), (".csv", ";", "z;y;x;a"), (".csv", ",", ""),
+                                 (".xyz", " ", "# x y z a"), (".txt", ",", "//X,Y,Z,a"),
+                                 (".csv", ",", "\ufeffx,y,z,a")):
     text = os.path.join(folder, "text" + suffix)
     columns = 100.0 * random.random((200, 4)) - 50.0
-    np.savetxt(text, columns, delimiter=delimiter, header=names, comments="")
+    np.savetxt(text, columns, delimiter=delimiter, header=names, comments="", encoding="utf-8")
     points = vtk_to_numpy(demo.servermanager.Fetch(demo.read_points(text)).GetPoints().GetData())
     assert np.allclose(points, columns[:, [2, 1, 0] if names.startswith("z") else [0, 1, 2]], rtol=1e-6), text
 np.savetxt(rows, random.random((200, 4)), delimiter=",", header="u,v,w,x", comments="")
@@ -135,9 +137,10 @@ def expect_refused(path, reason):
         assert reason in str(error), error
 
 
-expect_refused(rows, "without columns x, y and z")
+expect_refused(rows, "without x, y and z")
 expect_refused(os.path.join(folder, "missing.vtp"), "does not exist")
-for text, reason in ("x,y,z\n", "without rows"), ("x,y,z\n1,2,3\n4,5,n/a\n", "column z of"):
+for text, reason in (("x,y,z\n", "without rows"), ("x,y,z\n1,2,3\n4,5,n/a\n", "column z of"),
+                     ("x,y,z\n1,2,3\n4,5\n", "ends early"), ("x,y,z,\n1,2,3,\n", "without a name")):
     with open(rows, "w", encoding="ascii") as file:
         file.write(text)
     expect_refused(rows, reason)

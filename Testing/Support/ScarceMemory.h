@@ -7,8 +7,9 @@
 #include <new>
 
 /** How many more times this thread gets memory, by `new` or, in what is linked into the program, by
- * malloc() and its kin; none is left at 0. Not counted are memory that is mapped (Buffers of 1 MiB
- * and more) and `new` with an alignment. To be included by one file of a program. */
+ * malloc(), calloc() and aligned_alloc(); none is left at 0. Not counted are memory that is mapped
+ * (Buffers of 1 MiB and more) and `new` with an alignment. To be included by one file of a program.
+ */
 inline thread_local std::size_t AllocationsLeft = ~std::size_t(0);
 
 inline bool TakeAllocation()
@@ -21,7 +22,8 @@ inline bool TakeAllocation()
   return true;
 }
 
-// The linker has all calls of malloc() come here, and so on; see AddTests.cmake.
+// The linker makes of each call of malloc() one of __wrap_malloc(), and of the others likewise; see
+// AddTests.cmake.
 // NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C"
 {
