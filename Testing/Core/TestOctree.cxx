@@ -164,9 +164,9 @@ TYPED_TEST(TestOctree, UsesSpareMemory)
   constexpr int dim = TestFixture::Dim;
   const PointSample<dim, double> sample{ "uniform", MakeUniformPoints<dim, double>(3000, 65) };
   const PointSelection<dim> selection(sample.GetSpan(), {}, Execution());
-  const Buffer<KeyedPoint<dim>> spare(3000, Memory::Zeroed);
-  const Octree<dim> tree(sample.GetSpan(), selection, {}, Execution(),
-    { const_cast<KeyedPoint<dim>*>(spare.GetData()), spare.GetBytes() });
+  Buffer<KeyedPoint<dim>> spare(3000, Memory::Zeroed);
+  const Octree<dim> tree(
+    sample.GetSpan(), selection, {}, Execution(), { spare.GetData(), spare.GetBytes() });
   EXPECT_EQ(FindBrokenLaws(tree, sample.GetSpan(), selection), std::vector<std::string>());
   EXPECT_TRUE(std::any_of(spare.GetData(), spare.GetData() + spare.GetSize(),
     [](const KeyedPoint<dim>& point) { return point.GetKey().GetValue() != 0; }));
