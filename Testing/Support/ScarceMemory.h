@@ -24,27 +24,25 @@ inline bool TakeAllocation()
 
 // The linker makes of each call of malloc() one of __wrap_malloc(), and of the others likewise; see
 // AddTests.cmake.
-// NOLINTBEGIN(bugprone-reserved-identifier)
-extern "C"
-{
-  void* __real_malloc(std::size_t bytes);
-  void* __real_calloc(std::size_t count, std::size_t bytes);
-  void* __real_aligned_alloc(std::size_t alignment, std::size_t bytes);
+void* RealMalloc(std::size_t bytes) __asm__("__real_malloc");
+void* RealCalloc(std::size_t count, std::size_t bytes) __asm__("__real_calloc");
+void* RealAlignedAlloc(std::size_t alignment, std::size_t bytes) __asm__("__real_aligned_alloc");
+void* WrapMalloc(std::size_t bytes) __asm__("__wrap_malloc");
+void* WrapCalloc(std::size_t count, std::size_t bytes) __asm__("__wrap_calloc");
+void* WrapAlignedAlloc(std::size_t alignment, std::size_t bytes) __asm__("__wrap_aligned_alloc");
 
-  void* __wrap_malloc(std::size_t bytes)
-  {
-    return TakeAllocation() ? __real_malloc(bytes) : nullptr;
-  }
-  void* __wrap_calloc(std::size_t count, std::size_t bytes)
-  {
-    return TakeAllocation() ? __real_calloc(count, bytes) : nullptr;
-  }
-  void* __wrap_aligned_alloc(std::size_t alignment, std::size_t bytes)
-  {
-    return TakeAllocation() ? __real_aligned_alloc(alignment, bytes) : nullptr;
-  }
+void* WrapMalloc(std::size_t bytes)
+{
+  return TakeAllocation() ? RealMalloc(bytes) : nullptr;
 }
-// NOLINTEND(bugprone-reserved-identifier)
+void* WrapCalloc(std::size_t count, std::size_t bytes)
+{
+  return TakeAllocation() ? RealCalloc(count, bytes) : nullptr;
+}
+void* WrapAlignedAlloc(std::size_t alignment, std::size_t bytes)
+{
+  return TakeAllocation() ? RealAlignedAlloc(alignment, bytes) : nullptr;
+}
 
 // Replacing these is what the standard provides for. Not inline, or GCC takes new and free() for a
 // mismatch.
