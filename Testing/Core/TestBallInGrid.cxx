@@ -168,6 +168,14 @@ TYPED_TEST(TestBallInGrid, FitsInTheCellsThatHoldIt)
     }
     center[axis] = 5.0 / 16.0;
   }
+
+  // As nearly in cells as small as they get.
+  constexpr int maxDepth = MortonKey<dim>::MaxDepth;
+  center.fill(std::ldexp(11.0, -maxDepth));
+  const double halfSide = std::ldexp(1.0, -maxDepth);
+  const BallInGrid<dim> small(grid, center);
+  EXPECT_TRUE(small.FitsInCell(maxDepth - 1, 0.99 * halfSide * halfSide));
+  EXPECT_FALSE(small.FitsInCell(maxDepth - 1, 1.01 * halfSide * halfSide));
 }
 
 TYPED_TEST(TestBallInGrid, RoomForLostSquaresIsNoDenormalNumber)

@@ -239,3 +239,22 @@ TEST(TestMortonOrderOfClusters, LargeOnesAreNotSortedWithoutALook)
   SortAlongMortonCurve(points, 64, MortonKey<3>::MaxDepth, execution);
   EXPECT_GT(reports, 3 * clusters); // 28 when each is sorted by one thread.
 }
+
+TEST(TestMortonOrderOfManyPoints, SmallNodesAreNotAllSortedWithoutALook)
+{
+  // More than the tasks between two reports have, in nodes for one thread each.
+  Buffer<KeyedPoint<3>> points(700000);
+  std::mt19937_64 random(58);
+  const std::uint64_t root = MortonKey<3>::Root().GetFirstAtMaxDepth().GetValue();
+  for (std::size_t i = 0; i < points.GetSize(); ++i)
+  {
+    const MortonKey<3> key(root | random() >> 1U);
+    points.GetData()[i] = KeyedPoint<3>(key, static_cast<PointIndex>(i));
+  }
+  ToldProgress told;
+  SortAlongMortonCurve(points, 1, MortonKey<3>::MaxDepth, told.MakeExecution());
+  told.ExpectToRise(3);
+  const std::vector<double>& fractions = told.GetFractions();
+  EXPECT_TRUE(std::any_of(fractions.begin(), fractions.end(),
+    [](double fraction) { return 0.0 < fraction && fraction < 1.0; }));
+}

@@ -7,6 +7,7 @@
 #include "PlainOctree.h"
 #include "SampleTree.h"
 #include "Threads.h"
+#include "ToldProgress.h"
 
 #include <algorithm>
 
@@ -327,6 +328,18 @@ TEST(TestOctreeFacts, BuildCanBeInterruptedAnywhere)
   {
     EXPECT_THROW(build(stop), Interrupted);
   }
+}
+
+TEST(TestOctreeFacts, ProgressRisesWhileTheTableIsFilled)
+{
+  const PointSample<1, double> sample{ "uniform", MakeUniformPoints<1, double>(200000, 67) };
+  const PointSelection<1> selection(sample.GetSpan(), {}, Execution());
+  ToldProgress told;
+  const Octree<1> tree(sample.GetSpan(), selection, {}, told.MakeExecution());
+  EXPECT_GT(tree.GetNumberOfInternalNodes(), 262144U) << "more than between two reports";
+  EXPECT_EQ(FindBrokenLaws(tree, sample.GetSpan(), selection), std::vector<std::string>());
+  told.ExpectToRise(7);
+  EXPECT_NEAR(told.GetFractions().back(), 1.0, 1e-12);
 }
 
 TEST(TestOctreeFacts, CountOctantsCountsBits)

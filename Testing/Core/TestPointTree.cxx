@@ -355,6 +355,20 @@ TEST(TestPointTreeFacts, ProgressRisesFromOneNestedTreeToTheNext)
   told.ExpectToRise(10);
 }
 
+TEST(TestPointTreeFacts, ProgressRisesInALargeLeafWithATree)
+{
+  // Its points are more than the 524288 between two reports. Others are told of before.
+  std::vector<float> coordinates = MakeUniformPoints<3, float>(600000, 152, 0.0, 1e-9);
+  const auto others = MakeUniformPoints<3, float>(10000, 153);
+  coordinates.insert(coordinates.end(), others.begin(), others.end());
+  const PointSpan<3, float> points{ coordinates.data(), 610000 };
+  ToldProgress told;
+  const PointTree<3, float> tree(
+    points, PointSelection<3>(points, {}, Execution()), { 1000, 21 }, told.MakeExecution());
+  EXPECT_NE(tree.FindNested(0), nullptr);
+  told.ExpectToRise(10);
+}
+
 TEST(TestPointTreeFacts, CanBeInterrupted)
 {
   const auto coordinates = MakeUniformPoints<3, float>(50000, 145);
