@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
@@ -199,6 +200,37 @@ TEST(TestHashedOctreePointLocatorBatches, FewerPointsThanAskedFor)
   TestedLocator locator(MakeUniform(3, 182));
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
     locator, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
+}
+
+TEST(TestHashedOctreePointLocatorBatches, WithoutADataSetEachIsTheErrorOfTheBuild)
+{
+  TestedLocator locator;
+  const auto query = MakeQuery(4, 0, 0);
+  for (int batch = 0; batch < 2; ++batch)
+  {
+    Outputs outputs;
+    EXPECT_FALSE(locator->FindClosestPoints(query, outputs.Ids, outputs.Dist2));
+    EXPECT_TRUE(outputs.AreEmpty());
+    locator.ExpectError("SetDataSet()");
+  }
+  locator->SetDataSet(MakePolyData<float>({ 0, 0, 0, 5, 0, 0 }));
+  Outputs outputs;
+  EXPECT_TRUE(locator->FindClosestPoints(query, outputs.Ids, outputs.Dist2));
+  EXPECT_EQ(outputs.Ids->GetValue(0), 1);
+}
+
+TEST(TestHashedOctreePointLocatorBatches, WhoHearsOfAFailedBuildMayFreeItsRest)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(1 << 21, 1 << 20, 1 << 20); // More than can be counted.
+  TestedLocator locator(image);
+  Freeing listener{ locator };
+  locator->AddObserver(vtkCommand::ErrorEvent, &listener, &Freeing::Free);
+  Outputs outputs;
+  EXPECT_FALSE(locator->FindClosestPoints(MakeQuery(0, 0, 0), outputs.Ids, outputs.Dist2));
+  EXPECT_TRUE(outputs.AreEmpty());
+  EXPECT_EQ(locator.Errors.size(), 1U);
+  locator.Errors.clear();
 }
 
 TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)

@@ -9,7 +9,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
@@ -26,13 +25,6 @@
 namespace
 {
 using Class = vtkHashedOctreePointLocator;
-
-/** Frees the tree of a locator when it hears of something. */
-struct Freeing
-{
-  TestedLocator& Freed;
-  void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
-};
 
 /** Tells of changes by its GetMTime() alone. */
 template <typename Base>
@@ -500,24 +492,6 @@ TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAProblemMayFreeTheTree)
   locator.ExpectWarningOfSkippedPoints(1);
   EXPECT_EQ(locator->FindClosestPoint(0.9, 0, 0), 2) << "in the same";
   EXPECT_TRUE(locator.Warnings.empty());
-}
-
-TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAFailedBuildMayFreeItsRest)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(1 << 21, 1 << 20, 1 << 20); // More than can be counted.
-  TestedLocator locator(image);
-  Freeing listener{ locator };
-  locator->AddObserver(vtkCommand::ErrorEvent, &listener, &Freeing::Free);
-  vtkNew<vtkDoubleArray> queries;
-  queries->SetNumberOfComponents(3);
-  queries->InsertNextTuple3(0.0, 0.0, 0.0);
-  vtkNew<vtkIdTypeArray> ids;
-  vtkNew<vtkDoubleArray> dist2;
-  EXPECT_FALSE(locator->FindClosestPoints(queries, ids, dist2));
-  EXPECT_EQ(ids->GetNumberOfTuples(), 0);
-  EXPECT_EQ(locator.Errors.size(), 1U);
-  locator.Errors.clear();
 }
 
 TEST(TestHashedOctreePointLocatorBuild, WhoHearsOfAChangedModelMayChangeThePoints)

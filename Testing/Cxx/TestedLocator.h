@@ -183,4 +183,11 @@ private:
   vtkNew<vtkIdList> List;
 };
 
+/** Frees the tree of a locator when it hears of something. */
+struct Freeing
+{
+  TestedLocator& Freed;
+  void Free(vtkObject*, unsigned long, void*) { this->Freed->FreeSearchStructure(); }
+};
+
 #endif
