@@ -35,7 +35,7 @@ for group, proxy in proxies:
         assert label in page, (proxy.get("name"), label)
 
 drawn = [element.get("default_values").split(";")[::2]
-         for element in ElementTree.parse(plugin / "HashedOctreeFilter.xml").iter()
+         for element in ElementTree.parse(plugin / "HashedOctreeCharts.xml").iter()
          if element.get("name") == "SeriesVisibility"]
 assert [len(columns) for columns in drawn] == [12, 12], drawn
 for column in sum(drawn, []):
