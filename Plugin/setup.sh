@@ -23,7 +23,7 @@ paraview_packages=(paraview paraview-dev python3-paraview python3-dev libopenmpi
 vtk_packages=(libvtk9-dev python3-vtk9 python3-matplotlib)
 fuzz_packages=(clang libclang-rt-dev llvm) # llvm names the lines of a crash
 machine_packages=(qemu-user) # and the machine's compiler
-test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy)
+test_packages=(libgtest-dev openmpi-bin clang-format clang-tidy libbenchmark-dev libnanoflann-dev)
 benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
 paraview_options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
 vtk_options=(HASHEDOCTREE_HOST:STRING=VTK HASHEDOCTREE_PYTHON:STRING=OFF)

@@ -119,7 +119,8 @@ Timing TimeQueries(LocatorPeer& peer, const Question& question, double seconds)
     Answer answer;
     auto i = static_cast<std::size_t>(first);
     std::size_t batch = 1;
-    while (i < static_cast<std::size_t>(last) && GetSecondsSince(start) < seconds)
+    // At the first position in any case, so that something is timed however late the threads come.
+    while (i < static_cast<std::size_t>(last) && (i == 0 || GetSecondsSince(start) < seconds))
     {
       const std::size_t end = std::min(i + batch, static_cast<std::size_t>(last));
       batch = std::min(2 * batch, largestBatch);

@@ -20,6 +20,20 @@ function (hashedoctree_add_paper_test name)
   endif ()
 endfunction ()
 
+# hashedoctree_add_benchmark_test(<folder> <program>): GoogleTest in <folder>/Test<program>.cxx, of a
+# benchmark's program as a whole, which is built for it. Not with a sanitizer, as above.
+function (hashedoctree_add_benchmark_test folder program)
+  set(name "Test${program}")
+  _hashedoctree_record("${folder}/${name}.cxx")
+  if (HASHEDOCTREE_SANITIZE OR (folder STREQUAL "Cxx" AND NOT HASHEDOCTREE_HAVE_VTK))
+    return ()
+  endif ()
+  _hashedoctree_add_gtest("${name}" "${folder}/${name}.cxx" benchmark)
+  add_dependencies("${name}" "${program}")
+  list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator) # which ctest knows of, but not the test
+  set_property(TEST "${name}" APPEND PROPERTY ENVIRONMENT "EMULATOR=${emulator}")
+endfunction ()
+
 # hashedoctree_add_vtk_test(<name>): GoogleTest in Cxx/<name>.cxx.
 function (hashedoctree_add_vtk_test name)
   _hashedoctree_record("Cxx/${name}.cxx")

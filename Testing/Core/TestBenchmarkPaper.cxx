@@ -1,38 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "BenchmarkRun.h"
 #include "MarkdownTables.h"
 #include "ReportFile.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <random>
 
 namespace
 {
-/** The program beside this one, on point sets that have the names and sizes of the smallest ones of
- * the paper's experiments, but random points. */
+/** The program on point sets that have the names and sizes of the smallest ones of the paper's
+ * experiments, but random points. */
 class TestBenchmarkPaper : public testing::Test
 {
 protected:
-  /** The folder has a random name, so that runs at the same time do not meet, and a blank in it, as
-   * paths may have. */
   TestBenchmarkPaper()
-    : Folder(std::filesystem::temp_directory_path() /
-        ("Test BenchmarkPaper." + std::to_string(std::random_device()())))
   {
-    std::filesystem::create_directory(this->Folder);
     this->WritePoints("sphere_1k", 900);
     this->WritePoints("stadium_10k", 10000);
   }
-  ~TestBenchmarkPaper() override { std::filesystem::remove_all(this->Folder); }
 
   void WritePoints(const std::string& name, std::size_t count) const
   {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> uniform;
-    std::ofstream file(this->Folder / (name + ".xyz"), std::ios::binary);
+    std::ofstream file(this->Paper.GetPath(name + ".xyz"), std::ios::binary);
     for (std::size_t i = 0; i < 3 * count; ++i)
     {
       const float coordinate = uniform(random);
@@ -40,34 +35,22 @@ protected:
     }
   }
 
-  /** Whether it succeeds. What it says is in log.txt. */
-  bool Run(const std::string& arguments) const
+  bool Succeeds(const std::string& arguments) const
   {
-    const auto program =
-      std::filesystem::canonical("/proc/self/exe").parent_path() / "BenchmarkPaper";
-    const std::string folder = "'" + this->Folder.string() + "'";
-    const std::string command = "$EMULATOR '" + program.string() + "' --points " + folder +
-      " --output " + folder + "/paper.md " + arguments + " >" + folder + "/log.txt 2>&1";
-    return std::system(command.c_str()) == 0;
+    return this->Paper.Succeeds("--points " + this->Paper.Quote("") + " --output " +
+      this->Paper.Quote("paper.md") + " " + arguments);
   }
 
-  std::vector<std::string> ReadLog() const
+  /** Expects the program to end with one line. */
+  void ExpectError(const std::string& arguments, const std::string& error) const
   {
-    std::ifstream log(this->Folder / "log.txt");
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(log, line);)
-    {
-      lines.push_back(line);
-    }
-    return lines;
+    EXPECT_FALSE(this->Succeeds(arguments)) << arguments;
+    const std::vector<std::string> said = this->Paper.ReadLines("log.txt");
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_EQ(said.front().rfind(error, 0), 0U) << said.front();
   }
 
-  std::ptrdiff_t CountFiles() const
-  {
-    return std::distance(std::filesystem::directory_iterator(this->Folder), {});
-  }
-
-  std::filesystem::path Folder;
+  BenchmarkRun Paper{ "BenchmarkPaper" };
 };
 
 bool IsTime(const std::string& cell)
@@ -78,8 +61,8 @@ bool IsTime(const std::string& cell)
 
 TEST_F(TestBenchmarkPaper, WritesAllTables)
 {
-  ASSERT_TRUE(this->Run("--sets sphere_1k,stadium_10k --repetitions 3"));
-  std::ifstream file(this->Folder / "paper.md");
+  ASSERT_TRUE(this->Succeeds("--sets sphere_1k,stadium_10k --repetitions 3"));
+  std::ifstream file(this->Paper.GetPath("paper.md"));
   const MarkdownTables report(file);
   EXPECT_EQ(report.GetCell("Trees", "sphere_1k", "points x1000"), "0.90 (0.9)");
   EXPECT_EQ(report.GetCell("Trees", "stadium_10k", "points x1000"), "10.0 (10)");
@@ -107,45 +90,39 @@ TEST_F(TestBenchmarkPaper, WritesAllTables)
     std::stod(report.GetCell(options, "stadium_10k", "taken: nodes")));
   EXPECT_GE(report.Get("Claims of the paper").size(), 19U);
 
-  std::ifstream text(this->Folder / "paper.md");
-  std::string line;
-  while (line.rfind("- Answers: ", 0) != 0 && std::getline(text, line))
-  {
-  }
-  EXPECT_EQ(line.rfind("- Answers: 0 of ", 0), 0U) << line;
+  const std::vector<std::string> lines = this->Paper.ReadLines("paper.md");
+  const auto answers = std::find_if(lines.begin(), lines.end(),
+    [](const std::string& line) { return line.rfind("- Answers: ", 0) == 0; });
+  ASSERT_NE(answers, lines.end());
+  EXPECT_EQ(answers->rfind("- Answers: 0 of ", 0), 0U) << *answers;
 }
 
 TEST_F(TestBenchmarkPaper, MissingSetIsAnErrorBeforeAnythingIsMeasured)
 {
-  std::ofstream(this->Folder / "paper.md") << "of the run before";
+  std::ofstream(this->Paper.GetPath("paper.md")) << "of the run before";
   for (const std::string arguments : { "", "--quick", "--sets sphere_1k,csg_82k" })
   {
-    EXPECT_FALSE(this->Run(arguments));
-    ASSERT_EQ(this->ReadLog().size(), 1U);
-    EXPECT_EQ(this->ReadLog().front().rfind("error: cannot read '", 0), 0U);
+    this->ExpectError(arguments, "error: cannot read '");
   }
-  std::string kept;
-  std::getline(std::ifstream(this->Folder / "paper.md"), kept);
-  EXPECT_EQ(kept, "of the run before");
-  EXPECT_EQ(this->CountFiles(), 4) << "the points, the log and the old report";
+  EXPECT_EQ(this->Paper.ReadLines("paper.md"), std::vector<std::string>{ "of the run before" });
+  EXPECT_EQ(this->Paper.CountFiles(), 4) << "the points, the log and the old report";
 }
 
 TEST_F(TestBenchmarkPaper, RunThatFailsLeavesTheReportOfAnotherAlone)
 {
-  ReportFile report((this->Folder / "paper.md").string());
-  EXPECT_EQ(this->CountFiles(), 2) << "the points; a run that is killed leaves nothing else";
-  EXPECT_FALSE(this->Run("--sets sphere"));
+  ReportFile report(this->Paper.GetPath("paper.md"));
+  EXPECT_EQ(this->Paper.CountFiles(), 2) << "the points; a run that is killed leaves nothing else";
+  EXPECT_FALSE(this->Succeeds("--sets sphere"));
   report.GetStream() << "of another run";
   report.Keep();
-  EXPECT_EQ(std::filesystem::file_size(this->Folder / "paper.md"), 14U);
+  EXPECT_EQ(this->Paper.ReadLines("paper.md"), std::vector<std::string>{ "of another run" });
 }
 
 TEST_F(TestBenchmarkPaper, FolderIsNoReport)
 {
-  const std::filesystem::path folder = this->Folder / "folder";
-  std::filesystem::create_directory(folder);
-  EXPECT_THROW(ReportFile(folder.string()), std::runtime_error);
-  EXPECT_EQ(this->CountFiles(), 3) << "the points and the folder";
+  std::filesystem::create_directory(this->Paper.GetPath("folder"));
+  EXPECT_THROW(ReportFile(this->Paper.GetPath("folder")), std::runtime_error);
+  EXPECT_EQ(this->Paper.CountFiles(), 3) << "the points and the folder";
 }
 
 TEST_F(TestBenchmarkPaper, BadArguments)
@@ -153,8 +130,6 @@ TEST_F(TestBenchmarkPaper, BadArguments)
   for (const std::string arguments : { "--sets sphere", "--quick --sets flow_257k",
          "--repetitions 2", "--repetitions 5x", "--repetitions 3.5", "--fast", "--sets" })
   {
-    EXPECT_FALSE(this->Run(arguments)) << arguments;
-    ASSERT_EQ(this->ReadLog().size(), 1U);
-    EXPECT_EQ(this->ReadLog().front().rfind("error: ", 0), 0U);
+    this->ExpectError(arguments, "error: ");
   }
 }
