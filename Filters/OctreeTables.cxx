@@ -10,6 +10,8 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <limits>
+
 namespace hashedoctree
 {
 namespace
@@ -66,6 +68,17 @@ void FillCostCurves(
   const ContinuousCost continuous(counts.Leaves);
   AddColumn<vtkDoubleArray>(table, "ContinuousLeaves", rows,
     [&](std::size_t depth) { return continuous.GetCost(static_cast<double>(depth) + 0.5); });
+}
+
+void MarkStartDepth(vtkTable* costs, int startDepth, double meanHitCost)
+{
+  AddColumn<vtkDoubleArray>(costs, "MeanHitCost",
+    static_cast<std::size_t>(costs->GetNumberOfRows()),
+    [&](std::size_t depth)
+    {
+      return static_cast<int>(depth) == startDepth ? meanHitCost
+                                                   : std::numeric_limits<double>::quiet_NaN();
+    });
 }
 
 void FillSearchTable(vtkTable* table, const std::vector<SearchRow>& rows)

@@ -56,17 +56,20 @@ public:
   OctreePass::Outputs operator()(const PointsOctree<Dim>& octree, const Execution& execution) const
   {
     const int startDepth = GetStartDepth(octree.Counts, GetStartDepthOptions<Dim>(this->Self), Dim);
+    const DepthHistogram searched =
+      GetDepthHistogram(octree.Counts, GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
     const MeasuredCost measured =
       MeasureCost(octree.GetPart(), execution.Part(OctreePass::BuildShare, MeasuringShare));
     const vtkSmartPointer<vtkDataObject> nodes =
       this->MakeNodes(octree, startDepth, execution.Part(MeasuringShare, 1.0));
-    this->AddFieldData(nodes->GetFieldData(), octree, startDepth);
+    this->AddFieldData(nodes->GetFieldData(), octree, startDepth, searched);
     vtkNew<vtkTable> histogram;
     vtkNew<vtkTable> costs;
     if (octree.Processes.IsFirst())
     {
       FillDepthHistogram(histogram, octree.Counts, Dim);
       FillCostCurves(costs, octree.Counts, measured, Dim);
+      MarkStartDepth(costs, startDepth, GetMeanCost(searched, startDepth));
     }
     PassFieldData(nodes, histogram);
     PassFieldData(nodes, costs);
@@ -113,13 +116,12 @@ private:
   }
 
   template <int Dim>
-  void AddFieldData(vtkFieldData* fieldData, const PointsOctree<Dim>& octree, int startDepth) const
+  void AddFieldData(vtkFieldData* fieldData, const PointsOctree<Dim>& octree, int startDepth,
+    const DepthHistogram& searched) const
   {
     using Model = hashedoctree::FrequencyModel;
-    const DepthHistogram histogram =
-      GetDepthHistogram(octree.Counts, GetStartDepthOptions<Dim>(this->Self).Frequency, Dim);
-    const double hitCost = GetMeanCost(histogram, startDepth);
-    const double rootCost = GetMeanCost(histogram, 0);
+    const double hitCost = GetMeanCost(searched, startDepth);
+    const double rootCost = GetMeanCost(searched, 0);
 
     AddFieldValue<vtkIntArray>(fieldData, "Dimension", Dim);
     AddFieldValue<vtkIntArray>(fieldData, "StartDepth", startDepth);

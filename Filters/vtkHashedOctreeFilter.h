@@ -48,7 +48,8 @@
  * Output port 2, vtkTable, one row for each start depth from 0 to the deepest, and at least to 1,
  * mean number of nodes that one search examines: StartDepth, CostLeaves, CostPoints, CostGrid (the
  * model), MeasuredLeaves, MeasuredPoints (counted in searches for every leaf), ContinuousLeaves
- * (the paper's differentiable cost at StartDepth + 1/2).
+ * (the paper's differentiable cost at StartDepth + 1/2), MeanHitCost (by FrequencyModel in the row
+ * of the start depth that was chosen, NaN in the others).
  *
  * The tables always count all leaves, empty ones too. Points with a coordinate that is not finite,
  * or further from 0 than a quarter of the largest double (4.49e307), are left out with one warning.

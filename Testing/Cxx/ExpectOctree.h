@@ -57,6 +57,8 @@ inline void ExpectOctree(TestedFilter& filter, const OracleOctree& expected)
   }
   ExpectHistogram(filter.GetHistogram(), expected);
   ExpectCosts(filter.GetCosts(), expected);
+  ExpectMark(
+    filter.GetCosts(), filter.GetFieldValue("StartDepth"), filter.GetFieldValue("MeanHitCost"));
   ExpectFieldData(filter, expected);
 }
 

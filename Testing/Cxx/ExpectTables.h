@@ -62,7 +62,7 @@ inline void ExpectHistogram(vtkTable* table, const OracleOctree& expected)
 
 inline void ExpectCosts(vtkTable* table, const OracleOctree& expected)
 {
-  ASSERT_EQ(table->GetNumberOfColumns(), 7);
+  ASSERT_EQ(table->GetNumberOfColumns(), 8);
   const int lastStartDepth = std::max(expected.GetDeepestDepth(), 1);
   ASSERT_EQ(table->GetNumberOfRows(), lastStartDepth + 1);
   vtkDataArray* startDepth = GetColumn(table, 0, "StartDepth", VTK_INT);
@@ -91,6 +91,19 @@ inline void ExpectCosts(vtkTable* table, const OracleOctree& expected)
     EXPECT_NEAR(
       continuousLeaves->GetTuple1(row), costLeaves->GetTuple1(row) + 3.0 / 16.0 * share, 1e-12)
       << row;
+  }
+}
+
+/** The mark of the start depth in the cost curves: its mean cost, and nothing in the other rows. */
+inline void ExpectMark(vtkTable* costs, double startDepth, double meanHitCost)
+{
+  vtkDataArray* mark = GetColumn(costs, 7, "MeanHitCost", VTK_DOUBLE);
+  ASSERT_NE(mark, nullptr);
+  for (vtkIdType row = 0; row < costs->GetNumberOfRows(); ++row)
+  {
+    const double value = mark->GetTuple1(row);
+    EXPECT_TRUE(static_cast<double>(row) == startDepth ? value == meanHitCost : std::isnan(value))
+      << row << ": " << value;
   }
 }
 

@@ -37,6 +37,6 @@ for group, proxy in proxies:
 drawn = [element.get("default_values").split(";")[::2]
          for element in ElementTree.parse(plugin / "HashedOctreeCharts.xml").iter()
          if element.get("name") == "SeriesVisibility"]
-assert [len(columns) for columns in drawn] == [12, 12], drawn
+assert [len(columns) for columns in drawn] == [13, 13], drawn
 for column in sum(drawn, []):
     assert column in pages["filters.HashedOctree.html"], column

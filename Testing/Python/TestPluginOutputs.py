@@ -38,6 +38,9 @@ assert (costs["CostLeaves"] == costs["MeasuredLeaves"]).all()
 assert (costs["CostPoints"] == costs["MeasuredPoints"]).all()
 assert costs["CostLeaves"].argmin() == figures["StartDepth"]
 assert costs["CostLeaves"][0] == figures["MeanRootCost"]
+marked = costs["StartDepth"] == figures["StartDepth"]
+assert (costs["MeanHitCost"][marked] == figures["MeanHitCost"]).all()
+assert numpy.isnan(costs["MeanHitCost"][~marked]).all()
 
 # Wire boxes have the same arrays.
 octree.OutputType = "Outlines"

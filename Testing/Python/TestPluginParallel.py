@@ -122,7 +122,8 @@ def expect_same_tree(pieces, whole):
     for names, table, expected_table in zip([HISTOGRAM, COSTS], pieces[1:], whole[1:]):
         for name in names:
             column = vtk_to_numpy(table.GetColumnByName(name))
-            assert numpy.array_equal(column, vtk_to_numpy(expected_table.GetColumnByName(name)))
+            expected_column = vtk_to_numpy(expected_table.GetColumnByName(name))
+            assert numpy.array_equal(column, expected_column, equal_nan=True), name
 
 
 def expect_shares(pieces, number_of_points):

@@ -17,7 +17,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 CELL_ARRAYS = ["Depth", "HitCost", "RootCost", "PointCount", "MortonKey"]
 HISTOGRAM = ["Depth", "Leaves", "EmptyLeaves", "Points", "GridWeight"]
 COSTS = ["StartDepth", "CostLeaves", "CostPoints", "CostGrid", "MeasuredLeaves", "MeasuredPoints",
-         "ContinuousLeaves"]
+         "ContinuousLeaves", "MeanHitCost"]
 # Names of values of the properties that all filters have.
 ENUMERATIONS = {
     "Dimension": ["Auto", "Two", "Three"],
