@@ -18,8 +18,7 @@ import tempfile
 import numpy as np
 from paraview import servermanager, simple
 from read_points import DemoError, read_points
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkTable
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PICTURE_SIZE = 1600, 1000
 HALF = PICTURE_SIZE[0] // 2, 860  # of a picture of the octree, above its legend
@@ -371,16 +370,13 @@ def title_histogram(view, octree, figures):
 
 
 def title_costs(view, octree, figures):
-    """The same for costs, and a mark at the start depth."""
+    """The same for costs."""
     view.ChartTitle = f"Mean over all leaves: {figures['MeanHitCost']:.2f} nodes " \
                       f"from depth {figures['StartDepth']:.0f}, {figures['MeanRootCost']:.2f} from the root"
-    label_axis(view, "Bottom", -0.1, table(octree, 2)["StartDepth"].max() + 0.1, 1)
-    label_axis(view, "Left", 0, highest_cost(octree) + 0.5, step_between_labels(highest_cost(octree)))
-    mark_start_depth(view, octree, figures)
-
-
-def highest_cost(octree):
-    return max(column.max() for name, column in table(octree, 2).items() if name.startswith(("Cost", "Measured")))
+    costs = table(octree, 2)
+    label_axis(view, "Bottom", -0.1, costs["StartDepth"].max() + 0.1, 1)
+    highest = max(column.max() for name, column in costs.items() if name.startswith(("Cost", "Measured")))
+    label_axis(view, "Left", 0, highest + 0.5, step_between_labels(highest))
 
 
 def step_between_labels(top):
@@ -399,22 +395,6 @@ def label_axis(view, axis, low, high, step):
     setattr(view, f"{axis}AxisRangeMaximum", float(high))
     setattr(view, f"{axis}AxisUseCustomLabels", 1)
     setattr(view, f"{axis}AxisLabels", [word for label in labels for word in label])
-
-
-def mark_start_depth(view, octree, figures):
-    """A line at the start depth over the height of the chart."""
-    name = f"Start depth {figures['StartDepth']:.0f}"
-    line = vtkTable()
-    for column_name, values in (("x", [figures["StartDepth"]] * 2), (name, [0, highest_cost(octree)])):
-        column = numpy_to_vtk(np.array(values, float), deep=True)
-        column.SetName(column_name)
-        line.AddColumn(column)
-    source = servermanager.sources.PVTrivialProducer()
-    source.GetClientSideObject().SetOutput(line)
-    shown = simple.Show(source, view, "XYChartRepresentation")
-    shown.UseIndexForXAxis, shown.XArrayName, shown.SeriesVisibility = 0, "x", [name]
-    shown.SeriesColor = [name] + [str(channel) for channel in TEXT]
-    shown.SeriesLineStyle = [name, "3"]
 
 
 def chart_picture(path, view, axis_titles, legend_position):
