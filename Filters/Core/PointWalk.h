@@ -159,8 +159,7 @@ private:
       this->SearchCells(cell, coverDepth, 0);
       return;
     }
-    const FoundBlock around = FindBlock(
-      this->Nodes, key, std::min(this->Ball.GetDepth(), Key::MaxDepth - 1), this->Examined);
+    const FoundBlock around = FindBlock(this->Nodes, key, this->Ball.GetDepth(), this->Examined);
     this->Below.SearchBlock(around.Block, this->Ball.GetHome(), around.Depth);
   }
 
