@@ -48,10 +48,10 @@ struct OwnPoints
   const PointSelection<3>& Selection;
   const DuplicatePoints& Others; ///< That are another piece's.
   const PointCounts& Counts;
-  bool Merge; ///< Whether those in one cell at the deepest depth count as one.
+  bool Merge; ///< Whether those in one of the smallest cells of the grid count as one.
 };
 
-/** The keys of a process's points in the root of all of them; merged, if they are to be. */
+/** The keys of a process's points in the grid of all of them; merged, if they are to be. */
 template <int Dim, typename Real>
 std::vector<MortonKey<Dim>> MakeKeys(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
   const OwnPoints<Real>& own, const Execution& execution)
@@ -101,11 +101,11 @@ PointsOctree<Dim> BuildAlone(const TreeFrame<Dim>& frame, const Grid<Dim>& grid,
 
 template <int Dim, typename Real>
 PointsOctree<Dim> BuildInFrame(const ProcessGroup& processes, const TreeFrame<Dim>& frame,
-  const Box<3>& root, const OwnPoints<Real>& own, const typename Octree<Dim>::Options& options,
+  const Box<3>& bounds, const OwnPoints<Real>& own, const typename Octree<Dim>::Options& options,
   const Execution& execution)
 {
   const Grid<Dim> grid(
-    Box<Dim>(frame.Project(root.Lower.data()), frame.Project(root.Upper.data())));
+    Box<Dim>(frame.Project(bounds.Lower.data()), frame.Project(bounds.Upper.data())));
   PointsOctree<Dim> octree = processes.AreSeveral()
     ? BuildDistributedOctree(processes, grid,
         MakeKeys(frame, grid, own, execution.Part(0.0, KeysShare)), own.Merge, options,
@@ -144,10 +144,10 @@ std::vector<std::uint64_t> ListPlaces(vtkDataObjectTreeIterator* leaves)
 }
 
 OctreePass::OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes,
-  const std::optional<Box<3>>& root)
+  const std::optional<Box<3>>& bounds)
   : Algorithm(algorithm)
   , Processes(processes)
-  , Root(root)
+  , Bounds(bounds)
 {
 }
 
@@ -267,20 +267,20 @@ BuiltOctree OctreePass::Build(vtkPointSet* input, const Execution& execution) co
     [&](auto span)
     {
       const PointSelection<3> selection(
-        span, this->Root, execution.Part(AdaptorShare, SelectionShare));
+        span, this->Bounds, execution.Part(AdaptorShare, SelectionShare));
       const DuplicatePoints others(input);
       const PointCounts counts(
         span, selection, others, execution.Part(SelectionShare, SelectionShare));
       built.Counts = counts;
-      const std::optional<Box<3>> root = this->FindRoot(selection);
-      if (!root)
+      const std::optional<Box<3>> bounds = this->FindBounds(selection);
+      if (!bounds)
       {
         return;
       }
       const auto build = [&](const auto& frame)
       {
         constexpr int dim = std::tuple_size_v<std::decay_t<decltype(frame.GetAxes())>>;
-        auto octree = BuildInFrame(this->Processes, frame, *root,
+        auto octree = BuildInFrame(this->Processes, frame, *bounds,
           OwnPoints<std::decay_t<decltype(*span.Coordinates)>>{
             span, selection, others, counts, this->Algorithm->GetMergePoints() },
           GetTreeOptions<dim>(this->Algorithm), execution.Part(SelectionShare, BuildShare));
@@ -289,7 +289,7 @@ BuiltOctree OctreePass::Build(vtkPointSet* input, const Execution& execution) co
           built.Octree = std::move(octree);
         }
       };
-      const auto plane = FindQuadtreeFrame(this->Algorithm, *root);
+      const auto plane = FindQuadtreeFrame(this->Algorithm, *bounds);
       plane ? build(*plane) : build(TreeFrame<3>());
     });
   if (built.Octree)
@@ -302,16 +302,16 @@ BuiltOctree OctreePass::Build(vtkPointSet* input, const Execution& execution) co
   return built;
 }
 
-std::optional<Box<3>> OctreePass::FindRoot(const PointSelection<3>& selection) const
+std::optional<Box<3>> OctreePass::FindBounds(const PointSelection<3>& selection) const
 {
   if (this->Processes.Sum(selection.GetNumberOfPoints()) == 0)
   {
     return {};
   }
-  Box<3> root = selection.GetBox();
-  this->Processes.Min(root.Lower.data(), root.Lower.size());
-  this->Processes.Max(root.Upper.data(), root.Upper.size());
-  return root;
+  Box<3> bounds = selection.GetBox();
+  this->Processes.Min(bounds.Lower.data(), bounds.Lower.size());
+  this->Processes.Max(bounds.Upper.data(), bounds.Upper.size());
+  return bounds;
 }
 
 OctreePass::Targets OctreePass::GetPorts(vtkInformationVector* outputVector)

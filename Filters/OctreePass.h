@@ -41,9 +41,9 @@ public:
   using Targets = std::vector<vtkDataObject*>;
   static constexpr double BuildShare = 0.3;
 
-  /** `root`, where given, takes the place of the points' own bounds. */
+  /** `bounds`, where given, take the place of the points' own bounds. */
   OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes,
-    const std::optional<Box<3>>& root);
+    const std::optional<Box<3>>& bounds);
   /** One process alone takes the octrees that are kept, and keeps those that it builds. Several
    * build all of theirs, since they would have to agree on which they have. */
   OctreePass(vtkHashedOctreeAlgorithm* algorithm, const ProcessGroup& processes, KeptOctrees& kept);
@@ -64,7 +64,7 @@ public:
 
   /** Those who made the trees together, of all calls so far. */
   const ProcessGroup& GetProcesses() const { return this->Processes; }
-  /** Whether they met finite points, but none in the root that was given. */
+  /** Whether they met finite points, but none in the bounds that were given. */
   bool AreAllOutside() const
   {
     return this->Met.Outside > 0 && this->Met.Skipped + this->Met.Outside == this->Met.Own;
@@ -82,15 +82,15 @@ private:
   Outputs Process(vtkDataObject* data, const MakeOutputs& makeOutputs, const Execution& execution);
   KeptOctrees::Pointer FindOrBuild(vtkPointSet* input, const Execution& execution);
   BuiltOctree Build(vtkPointSet* input, const Execution& execution) const;
-  /** The given root, or the box around the selected points of all processes; nothing if there are
+  /** The given bounds, or the box around the selected points of all processes; nothing if there are
    * none. */
-  std::optional<Box<3>> FindRoot(const PointSelection<3>& selection) const;
+  std::optional<Box<3>> FindBounds(const PointSelection<3>& selection) const;
   /** Of what all processes have met together. Throws std::invalid_argument. */
   void TellOfPoints() const;
 
   vtkHashedOctreeAlgorithm* Algorithm;
   ProcessGroup Processes;
-  std::optional<Box<3>> Root;
+  std::optional<Box<3>> Bounds;
   KeptOctrees* Kept = nullptr;
   PointCounts Met;                  ///< By this process, and in the end by all processes.
   std::uint64_t ImplicitBlocks = 0; ///< With points, but no vtkPointSets.

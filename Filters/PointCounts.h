@@ -17,7 +17,7 @@ struct PointCounts
 {
   std::uint64_t Own = 0;
   std::uint64_t Skipped = 0; ///< Own ones that are not finite, or too large,
-  std::uint64_t Outside = 0; ///< and others outside the given root.
+  std::uint64_t Outside = 0; ///< and others outside the given bounds.
   std::uint64_t Others = 0;  ///< Another piece's.
 
   PointCounts() = default;

@@ -33,7 +33,7 @@ struct PointsOctree
   std::map<std::uint64_t, PointIndex> PointsAcross;
   std::size_t TreeBytes = 0;
   std::size_t SkippedPoints = 0; ///< Not finite, or too large.
-  std::size_t OutsidePoints = 0; ///< Outside the given root.
+  std::size_t OutsidePoints = 0; ///< Outside the given bounds.
   double BuildSeconds = 0.0;
 
   /** For what the processes do together. This must outlive it. */

@@ -80,7 +80,8 @@ public:
   };
 
   /** Where a search starts: at the weighted median of the leaves' depths, at their weighted mean to
-   * the nearest depth, at the root, or at FixedStartDepth. */
+   * the nearest depth, at the root, or at FixedStartDepth. (Local is the locator's alone: here one
+   * depth is for the whole tree.) */
   enum StartDepthModels
   {
     Median = 0,

@@ -178,13 +178,13 @@ int vtkHashedOctreeFilter::RequestData(
   const int done = RunTogether(this, request, outputVector,
     [&](const ProcessGroup& processes)
     {
-      std::optional<Box<3>> root;
+      std::optional<Box<3>> bounds;
       if (this->UseCustomBounds)
       {
         const double* b = this->CustomBounds;
-        root = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
+        bounds = Box<3>({ b[0], b[2], b[4] }, { b[1], b[3], b[5] });
       }
-      OctreePass pass(this, processes, root);
+      OctreePass pass(this, processes, bounds);
       const OctreePass::Targets ports = OctreePass::GetPorts(outputVector);
       // Whoever hears of the progress may have set the property since output 0 was made.
       const int typeOfNodes = vtkDataObjectTree::SafeDownCast(ports.front()) != nullptr

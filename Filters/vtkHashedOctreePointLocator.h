@@ -105,8 +105,8 @@ public:
   using vtkAbstractPointLocator::FindClosestPoint;
   using vtkAbstractPointLocator::FindPointsWithinRadius;
 
-  /** How often a leaf is searched for: once, once for each of its points, or in proportion to its
-   * volume (paper section 4). */
+  /** How often a leaf is searched for: once, empty or not, once for each of its points, or in
+   * proportion to its volume (paper section 4). */
   enum FrequencyModels
   {
     Leaves = 0,
@@ -239,7 +239,8 @@ public:
   ///@{
   /**
    * How many nodes the query of that name examines: looks into the hash table, and into the
-   * children of a node. The query is made and counted; the others count nothing, and are no
+   * children of a node, which are measured together and count as one (in GetHitCost() each counts).
+   * The query is made and counted; the others count nothing, and are no
    * slower for it. 0 where there is nothing to search for or in, and where one look into the map of
    * free space, which does not count, tells that a ball is empty. Thread safe after a build.
    */
@@ -271,12 +272,12 @@ public:
    */
   void GenerateRepresentation(int level, vtkPolyData* pd) override;
 
-  /** The depth at which searches start, by the properties above; of Local the median of all leaves.
-   * Of the last build; 0 where there is no tree. */
+  /** The depth at which searches start in the tree of the last build, by the properties as they are
+   * now; of Local the median of all leaves. Does not build; 0 where there is no tree. */
   int GetStartDepth() const;
 
-  /** Bytes of the whole search structure of the last build, copied coordinates included; 0 before
-   * one, and hardly any without points. */
+  /** Bytes of the whole search structure of the last build, copied coordinates included. Does not
+   * build; 0 before one, and hardly any without points. */
   vtkIdType GetIndexBytes() const;
 
 protected:

@@ -21,7 +21,8 @@ struct FoundLeaf
   bool Exists;
 };
 
-/** Counts nothing, and costs nothing. */
+/** What searches tell of the nodes that they examine: AddNode() of one, AddNodes() of several, and
+ * Enter() of the one on whose behalf the next are. This counts nothing, and costs nothing. */
 struct NoCount
 {
   /** As of RangeCount. */

@@ -51,7 +51,7 @@ public:
   }
 
   /** The closest point within a squared radius, on it included. Returns false, and leaves `found`
-   * alone, when there is none or the position or the radius is not a number. */
+   * alone, when there is none, the radius is negative, or it or the position is not a number. */
   bool FindClosest(const Position<Dim>& x, FoundPoint& found,
     double radius2 = std::numeric_limits<double>::infinity()) const;
 
@@ -73,7 +73,7 @@ public:
 
   ///@{
   /** How many nodes these searches examine: looks into the table, and blocks whose children they
-   * measure. Searches that do not count are not slowed by it. */
+   * measure, all of which count as one. Searches that do not count are not slowed by it. */
   std::uint64_t CountNodesForClosest(const Position<Dim>& x) const;
   std::uint64_t CountNodesForClosest(const Position<Dim>& x, std::size_t count) const;
   std::uint64_t CountNodesForWithin(const Position<Dim>& x, double radius) const;
