@@ -22,7 +22,7 @@ CurveDivision<Dim> DivideCurve(
   const ProcessGroup& processes, const std::vector<MortonKey<Dim>>& keys, int maxDepth)
 {
   const std::uint64_t all = processes.Sum(keys.size());
-  const std::size_t number = processes.GetNumber();
+  const std::size_t number = processes.GetNumberOfProcesses();
   RequirePointIndices(all);
   const auto sample = CurveDivision<Dim>::Sample(keys, all, number);
   return CurveDivision<Dim>(processes.Gather(sample).Values, number, maxDepth);
@@ -43,7 +43,7 @@ template <int Dim>
 void AddOverlap(
   const ProcessGroup& processes, std::vector<MortonKey<Dim>>& keys, std::size_t overlap)
 {
-  std::vector<std::uint64_t> points(processes.GetNumber(), 0);
+  std::vector<std::uint64_t> points(processes.GetNumberOfProcesses(), 0);
   points[processes.GetRank()] = keys.size();
   processes.Sum(points);
   const auto around =
@@ -99,7 +99,7 @@ PointsOctree<Dim> BuildDistributedOctree(const ProcessGroup& processes, const Gr
     keys = GetDistinctKeys(keys, execution.Part(DealingShare, MergingShare));
   }
   octree.PointsAcross = CountPointsAcross(processes, division, keys);
-  AddOverlap(processes, keys, CurveDivision<Dim>::CountOverlap(options.MaxPointsPerLeaf));
+  AddOverlap(processes, keys, CurveDivision<Dim>::GetOverlapSize(options.MaxPointsPerLeaf));
   octree.Tree = Octree<Dim>(grid, keys, options, execution.Part(MergingShare, TreeShare));
   octree.Counts =
     SumCounts(processes, CountDepths(octree.Tree, octree.Range, execution.Part(TreeShare, 1.0)));

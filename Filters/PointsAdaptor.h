@@ -3,7 +3,8 @@
 #define PointsAdaptor_h
 
 #include "Buffer.h"
-#include "PointSelection.h"
+#include "Execution.h"
+#include "PointSpan.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"

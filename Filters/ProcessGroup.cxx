@@ -32,7 +32,7 @@ std::vector<vtkIdType> GetBegins(const std::vector<std::size_t>& counts)
 }
 }
 
-std::size_t ProcessGroup::GetNumber() const
+std::size_t ProcessGroup::GetNumberOfProcesses() const
 {
   return this->Controller != nullptr
     ? static_cast<std::size_t>(this->Controller->GetNumberOfProcesses())
@@ -93,7 +93,7 @@ std::uint64_t ProcessGroup::Max(std::uint64_t value) const
 bool ProcessGroup::IsTrueInAll(bool here, const char* problem) const
 {
   const std::uint64_t number = this->Sum(here ? 1 : 0);
-  if (number > 0 && number < this->GetNumber())
+  if (number > 0 && number < this->GetNumberOfProcesses())
   {
     throw std::invalid_argument(problem);
   }
@@ -117,7 +117,7 @@ ProcessGroup::Counts ProcessGroup::GatherCounts(const Counts& counts) const
     return counts;
   }
   const std::vector<vtkIdType> own = ToIds(counts);
-  std::vector<vtkIdType> all(counts.size() * this->GetNumber());
+  std::vector<vtkIdType> all(counts.size() * this->GetNumberOfProcesses());
   this->Agree(false);
   Require(this->Controller->AllGather(own.data(), all.data(), static_cast<vtkIdType>(own.size())));
   return { all.begin(), all.end() };
@@ -126,7 +126,8 @@ ProcessGroup::Counts ProcessGroup::GatherCounts(const Counts& counts) const
 ProcessGroup::Counts ProcessGroup::GetTaken(const Counts& ofAll) const
 {
   Counts taken;
-  for (std::size_t taker = this->GetRank(); taker < ofAll.size(); taker += this->GetNumber())
+  for (std::size_t taker = this->GetRank(); taker < ofAll.size();
+       taker += this->GetNumberOfProcesses())
   {
     taken.push_back(ofAll[taker]);
   }

@@ -42,10 +42,10 @@ public:
 
   /** Whether together they have all of the data. */
   bool HaveAll() const { return !this->HasPart; }
-  std::size_t GetNumber() const;
+  std::size_t GetNumberOfProcesses() const;
   /** Which of them this one is. */
   std::size_t GetRank() const;
-  bool AreSeveral() const { return this->GetNumber() > 1; }
+  bool AreSeveral() const { return this->GetNumberOfProcesses() > 1; }
   bool IsFirst() const { return this->GetRank() == 0; }
 
   /** Runs what the processes do together. Where that throws in one process, it throws

@@ -3,7 +3,7 @@
 #define TreeFrame_h
 
 #include "PlaneSpan.h"
-#include "PointSelection.h"
+#include "PointSpan.h"
 
 #include <numeric>
 

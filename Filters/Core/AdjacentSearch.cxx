@@ -33,7 +33,7 @@ public:
     // Of two along an axis the node's own is the upper one where the node is the lower child.
     const unsigned own = ~this->Node.GetOctant();
     ReachCells(
-      this->Tree, parents, startDepth, this->Reading, this->Examined,
+      this->Tree, parents, startDepth, this->Examined, this->Reading,
       [this, apart, own](unsigned corner, Key key, const Entry& entry)
       { this->SearchChildren((corner ^ own) & apart, key, entry); },
       [this](const FoundLeaf<Dim>& leaf) {

@@ -48,7 +48,7 @@ public:
   }
 
   /** The center, from the lower corner of the root. */
-  const Position<Dim>& GetPlace() const { return this->Place; }
+  const GridPlace<Dim>& GetPlace() const { return this->Place; }
   /** The cell that holds the center, or is nearest to it. */
   const Cell<Dim>& GetHome() const { return this->Home; }
 
@@ -169,7 +169,7 @@ private:
 
   double CellsPerLength;
   unsigned Flat; ///< The mask of FlatAxes.
-  Position<Dim> Place;
+  GridPlace<Dim> Place;
   Cell<Dim> Home;
   double Farthest = 0.0;
   Cell<Dim> Lower{};

@@ -79,7 +79,7 @@ template <int Dim>
 struct PlainBoxes
 {
   template <typename T>
-  static unsigned ToBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
+  static unsigned MeasureBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
   {
     unsigned mask = 0;
     ForOctants<T, ComputeToBoxes<Dim, T>>(boxes, steps,
@@ -91,14 +91,15 @@ struct PlainBoxes
     return mask;
   }
   template <typename T>
-  static unsigned ToWholeBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit)
+  static unsigned SelectWholeBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit)
   {
     unsigned mask = 0;
     ForOctants<T, ComputeToFarthest<Dim, T>>(
       boxes, steps, [&](unsigned octant, T here) { mask |= (here < limit ? 1U : 0U) << octant; });
     return mask;
   }
-  static float ToFarthestCorner(const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants)
+  static float MeasureFarthestCorner(
+    const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants)
   {
     float least = std::numeric_limits<float>::infinity();
     ForOctants<float, ComputeToFarthest<Dim, float>>(boxes, steps,
@@ -152,7 +153,7 @@ private:
 /** In three dimensions, where the octants fill vectors. */
 struct Avx2Boxes
 {
-  HASHEDOCTREE_WITH_AVX2 static unsigned ToBoxes(
+  HASHEDOCTREE_WITH_AVX2 static unsigned MeasureBoxes(
     const ChildBoxes<3>& boxes, const double* steps, float limit, float* dist2)
   {
     OfOctants<3, float> lower[3];
@@ -184,14 +185,14 @@ struct Avx2Boxes
     return GetMask(
       _mm256_cmp_pd(all[0], limits, _CMP_LT_OQ), _mm256_cmp_pd(all[1], limits, _CMP_LT_OQ));
   }
-  HASHEDOCTREE_WITH_AVX2 static unsigned ToWholeBoxes(
+  HASHEDOCTREE_WITH_AVX2 static unsigned SelectWholeBoxes(
     const ChildBoxes<3>& boxes, const double* steps, float limit)
   {
     const __m256 isWhole =
       _mm256_cmp_ps(MeasureFarthest(boxes, steps), _mm256_set1_ps(limit), _CMP_LT_OQ);
     return static_cast<unsigned>(_mm256_movemask_ps(isWhole));
   }
-  HASHEDOCTREE_WITH_AVX2 static float ToFarthestCorner(
+  HASHEDOCTREE_WITH_AVX2 static float MeasureFarthestCorner(
     const ChildBoxes<3>& boxes, const double* steps, unsigned octants)
   {
     __m256 all = MeasureFarthest(boxes, steps);
@@ -252,9 +253,9 @@ private:
 #endif
 
 template <int Dim>
-constexpr BoxKernels<Dim> PlainBoxKernels = { PlainBoxes<Dim>::template ToBoxes<float>,
-  PlainBoxes<Dim>::template ToBoxes<double>, PlainBoxes<Dim>::template ToWholeBoxes<float>,
-  PlainBoxes<Dim>::template ToWholeBoxes<double>, PlainBoxes<Dim>::ToFarthestCorner };
+constexpr BoxKernels<Dim> PlainBoxKernels = { PlainBoxes<Dim>::template MeasureBoxes<float>,
+  PlainBoxes<Dim>::template MeasureBoxes<double>, PlainBoxes<Dim>::template SelectWholeBoxes<float>,
+  PlainBoxes<Dim>::template SelectWholeBoxes<double>, PlainBoxes<Dim>::MeasureFarthestCorner };
 
 template <int Dim>
 BoxKernels<Dim> ChooseBoxKernels()
@@ -264,8 +265,8 @@ BoxKernels<Dim> ChooseBoxKernels()
   {
     if (HasAvx2())
     {
-      return { Avx2Boxes::ToBoxes, Avx2Boxes::ToBoxesFromAfar, Avx2Boxes::ToWholeBoxes,
-        Avx2Boxes::ToWholeBoxesFromAfar, Avx2Boxes::ToFarthestCorner };
+      return { Avx2Boxes::MeasureBoxes, Avx2Boxes::ToBoxesFromAfar, Avx2Boxes::SelectWholeBoxes,
+        Avx2Boxes::ToWholeBoxesFromAfar, Avx2Boxes::MeasureFarthestCorner };
     }
   }
 #endif

@@ -19,24 +19,27 @@ struct BoxKernels
    * FarthestPlace steps from the corner of the block on each axis; in double it is anywhere.
    * Returns the mask of the distances that are not greater than `limit`, which is all of them where
    * the limit is no number. */
-  unsigned (*ToBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2);
+  unsigned (*MeasureBoxes)(
+    const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2);
   unsigned (*ToBoxesFromAfar)(
     const ChildBoxes<Dim>& boxes, const double* steps, double limit, double* dist2);
   ///@}
 
   ///@{
   /** Which children's boxes lie within a squared distance of a place as a whole: the mask of those
-   * whose farthest corner is nearer than `limit`. Places as those of ToBoxes(); corners are never
-   * taken for nearer than they are, but for a factor of (1 + BoxError). */
-  unsigned (*ToWholeBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit);
+   * whose farthest corner is nearer than `limit`. Places as those of MeasureBoxes(); corners are
+   * never taken for nearer than they are, but for a factor of (1 + BoxError). */
+  unsigned (*SelectWholeBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit);
   unsigned (*ToWholeBoxesFromAfar)(const ChildBoxes<Dim>& boxes, const double* steps, double limit);
   ///@}
 
   /** The least squared distance from a place to the farthest corner of a box, of the boxes of some
    * children: no box has its points further away. Infinite where there are none. The place is as
-   * near as ToBoxes() asks for; never less than the true one, but for a factor of (1 + BoxError).
+   * near as MeasureBoxes() asks for; never less than the true one, but for a factor of (1 +
+   * BoxError).
    */
-  float (*ToFarthestCorner)(const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants);
+  float (*MeasureFarthestCorner)(
+    const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants);
 
   static constexpr double FarthestPlace = 128.0 * ChildBoxes<Dim>::Steps;
   template <typename T>

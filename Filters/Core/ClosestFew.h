@@ -40,7 +40,7 @@ public:
   std::size_t GetMostAtOnePlace() const { return this->Wanted; }
 
   /** `ids` must stay as they are until CopyTo(); `dist2` and `within` are what
-   * PointKernels::ToPointsWithin() gives, of at most RankedPoints::MostAdded. */
+   * PointKernels::MeasurePointsWithin() gives, of at most RankedPoints::MostAdded. */
   void Add(const double* dist2, std::uint64_t within, const PointIndex* ids, std::size_t count);
   void CopyTo(std::vector<FoundPoint>& found) const;
 

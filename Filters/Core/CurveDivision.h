@@ -16,7 +16,7 @@ namespace hashedoctree
  * points of one part and builds an Octree by itself.
  *
  * Whether a node is split follows from the number of its points, and these stand side by side along
- * the curve. So a builder that has CountOverlap() more points on either side of its part, or all
+ * the curve. So a builder that has GetOverlapSize() more points on either side of its part, or all
  * that there are, knows of every node with a key of the part whether it is split, and of every such
  * leaf all points. In its tree those nodes and the searches for those keys are as in the tree of
  * all points; other nodes need not be, and internal ones of GetNodesAcross() lack points of other
@@ -63,7 +63,7 @@ public:
   std::vector<std::uint64_t> CountInNodesAcross(std::size_t part, const Keys& keys) const;
 
   /** How many points a builder needs on either side of its part. */
-  static std::size_t CountOverlap(std::size_t maxPointsPerLeaf) { return maxPointsPerLeaf + 1; }
+  static std::size_t GetOverlapSize(std::size_t maxPointsPerLeaf) { return maxPointsPerLeaf + 1; }
   /** Those keys of a part that the builder of each other part needs, to have the `overlap` next to
    * its own ones on either side, or all if there are fewer; given how many points each part has.
    * O(n log(overlap)), O(overlap) for each part that needs some, and O(parts) for each part. */

@@ -26,14 +26,14 @@ std::uint64_t GetTotal(const DepthHistogram& histogram)
   return std::accumulate(histogram.begin(), histogram.end(), std::uint64_t(0));
 }
 
-DepthHistogram GetDepthHistogram(const DepthCounts& counts, FrequencyModel model, int dimension)
+DepthHistogram GetDepthHistogram(const DepthCounts& counts, FrequencyModel frequency, int dimension)
 {
-  if (model == FrequencyModel::Points)
+  if (frequency == FrequencyModel::Points)
   {
     return counts.Points;
   }
   DepthHistogram histogram = counts.Leaves;
-  if (model == FrequencyModel::Grid)
+  if (frequency == FrequencyModel::Grid)
   {
     const int deepest = static_cast<int>(histogram.size()) - 1;
     for (int depth = 0; depth <= deepest; ++depth)
@@ -95,7 +95,7 @@ int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options, i
   }
 }
 
-int GetCheapestStartDepth(const DepthHistogram& histogram)
+int GetBestStartDepth(const DepthHistogram& histogram)
 {
   int cheapest = 0;
   for (int depth = 1; depth < static_cast<int>(histogram.size()); ++depth)

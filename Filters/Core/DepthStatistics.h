@@ -63,7 +63,8 @@ struct DepthCounts
  * covers, 2^(dimension * (deepest - depth)), so that the weights of a complete tree add up to
  * 2^(dimension * deepest), below 2^64 in every dimension.
  */
-DepthHistogram GetDepthHistogram(const DepthCounts& counts, FrequencyModel model, int dimension);
+DepthHistogram GetDepthHistogram(
+  const DepthCounts& counts, FrequencyModel frequency, int dimension);
 
 /** The weight of all depths together. */
 std::uint64_t GetTotal(const DepthHistogram& histogram);
@@ -92,7 +93,7 @@ int GetStartDepth(const DepthCounts& counts, const StartDepthOptions& options, i
 
 /** A start depth with the least mean cost, found by trying all; the smallest of equals.
  * O(depths^2). */
-int GetCheapestStartDepth(const DepthHistogram& histogram);
+int GetBestStartDepth(const DepthHistogram& histogram);
 }
 
 #endif

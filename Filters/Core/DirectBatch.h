@@ -25,7 +25,7 @@ void FindLeaves(const Octree<Dim>& tree, const Points& positions, std::size_t fi
   EmptyOctants reading = EmptyOctants::Leaves)
 {
   // Flat: a call for each search would take a fifth of the time where there are few nodes.
-  const auto findAll = [&](const auto& ask) __attribute__((flatten))
+  const auto findAll = [&](const auto& prefetch) __attribute__((flatten))
   {
     constexpr std::size_t groupSize = 16; // Loads that a machine has on their way at a time.
     std::array<MortonKey<Dim>, groupSize> keys;
@@ -36,18 +36,19 @@ void FindLeaves(const Octree<Dim>& tree, const Points& positions, std::size_t fi
       GetKeys<Dim>(tree.GetGrid(), positions, first, count, keys.data());
       for (std::size_t i = 0; i < count; ++i)
       {
-        ask(keys[i], std::max(startDepth - 1, 0));
+        prefetch(keys[i], std::max(startDepth - 1, 0));
       }
       for (std::size_t i = 0; i < count; ++i)
       {
-        onLeaf(first + i, FindLeafAsking(tree, keys[i], startDepth, examined, reading, ask));
+        onLeaf(
+          first + i, FindLeafPrefetching(tree, keys[i], startDepth, examined, reading, prefetch));
       }
     }
   };
   // Chosen once, instead of in each search.
   const auto& table = tree.GetTable();
   using Table = std::decay_t<decltype(table)>;
-  table.IsCached() ? findAll(AskForNone()) : findAll(AskForNodes<Table>{ table });
+  table.IsCached() ? findAll(PrefetchNone()) : findAll(PrefetchNodes<Table>{ table });
 }
 }
 

@@ -42,7 +42,7 @@ struct NodeCount
 };
 
 /** Asks for no nodes ahead. */
-struct AskForNone
+struct PrefetchNone
 {
   template <int Dim>
   void operator()(MortonKey<Dim>, int) const
@@ -53,7 +53,7 @@ struct AskForNone
 /** Asks for nodes that are likely to be examined. Where a node is in the table follows from its key
  * alone, so the machine loads them while the search waits for the first. */
 template <typename Table>
-struct AskForNodes
+struct PrefetchNodes
 {
   const Table& Nodes;
 
@@ -64,15 +64,15 @@ struct AskForNodes
   }
 };
 
-/** FindLeaf() with one of these, `ask`, which hears of nodes early. Private to it and to
+/** FindLeaf() with one of these, `prefetch`, which hears of nodes early. Private to it and to
  * FindLeaves(). */
-template <template <int> class Tree, int Dim, typename Count, typename Ask>
-FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth,
-  Count& count, EmptyOctants reading, const Ask& ask)
+template <template <int> class Tree, int Dim, typename Count, typename Prefetch>
+FoundLeaf<Dim> FindLeafPrefetching(const Tree<Dim>& tree, MortonKey<Dim> key, int startDepth,
+  Count& count, EmptyOctants reading, const Prefetch& prefetch)
 {
   const auto& table = tree.GetTable();
-  ask(key, startDepth);
-  ask(key, std::max(startDepth - 2, 0));
+  prefetch(key, startDepth);
+  prefetch(key, std::max(startDepth - 2, 0));
 
   // Up (case 3): no node at `depth` as long as it has no parent.
   const typename Tree<Dim>::Entry* parent = nullptr;
@@ -85,7 +85,7 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
     {
       break;
     }
-    ask(key, std::max(depth - 3, 0));
+    prefetch(key, std::max(depth - 3, 0));
   }
 
   if (depth == 0)
@@ -107,7 +107,7 @@ FoundLeaf<Dim> FindLeafAsking(const Tree<Dim>& tree, MortonKey<Dim> key, int sta
   {
     parent = table.Find(key.AtDepth(depth).GetValue());
     ++depth;
-    ask(key, depth);
+    prefetch(key, depth);
     count.AddNode();
     octant = key.AtDepth(depth).GetOctant();
   }
@@ -141,8 +141,8 @@ FoundLeaf<Dim> FindLeaf(const Tree<Dim>& tree, MortonKey<Dim> key, int startDept
   const auto& table = tree.GetTable();
   using Table = std::decay_t<decltype(table)>;
   return table.IsCached()
-    ? FindLeafAsking(tree, key, startDepth, count, reading, AskForNone())
-    : FindLeafAsking(tree, key, startDepth, count, reading, AskForNodes<Table>{ table });
+    ? FindLeafPrefetching(tree, key, startDepth, count, reading, PrefetchNone())
+    : FindLeafPrefetching(tree, key, startDepth, count, reading, PrefetchNodes<Table>{ table });
 }
 
 /** FindLeaf() without counting. */

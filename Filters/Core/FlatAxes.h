@@ -49,7 +49,7 @@ public:
   }
 
 private:
-  Position<Dim> Upper{}; ///< Of the points.
+  GridPlace<Dim> Upper{}; ///< Of the points.
   unsigned Mask = 0;
 };
 }

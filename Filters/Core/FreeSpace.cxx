@@ -7,7 +7,7 @@ namespace hashedoctree
 {
 template <int Dim>
 FreeSpace<Dim>::FreeSpace(const Octree<Dim>& tree, const Buffer<ChildBoxes<Dim>>& boxes)
-  : Depth(std::min(HighestBit(tree.GetNumberOfPoints()) / Dim, MaxDepth))
+  : Depth(std::min(HighestBit(tree.GetNumberOfPoints()) / Dim, MaxCoarseDepth))
   , CellsToPoints(std::size_t(1) << (Dim * this->Depth), 0)
 {
   CellSet reached = this->GetOccupied(tree, boxes);

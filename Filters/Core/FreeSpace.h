@@ -26,7 +26,7 @@ class FreeSpace
 public:
   /** Depth of the coarse cells: at most 2^15 of them, one byte each, and no more than points. A row
    * of them is one word of 2^6 bits. */
-  static constexpr int MaxDepth = std::min(15 / Dim, 6);
+  static constexpr int MaxCoarseDepth = std::min(15 / Dim, 6);
 
   /** Nowhere. */
   FreeSpace() = default;

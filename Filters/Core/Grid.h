@@ -20,6 +20,10 @@ namespace hashedoctree
 template <int Dim>
 using Position = std::array<double, Dim>;
 
+/** A place in a grid: in its cells of MaxDepth, from the lower corner of the root. */
+template <int Dim>
+using GridPlace = std::array<double, Dim>;
+
 /** Whether all coordinates are numbers, and not infinite. */
 template <std::size_t Dim>
 bool IsFinite(const std::array<double, Dim>& x)

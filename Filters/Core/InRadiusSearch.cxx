@@ -62,12 +62,12 @@ private:
     const NeighborCells<Dim> cover = this->Ball.GetCover();
     Corner lower;
     this->Ball.GetLower(cover.Lower, cover.Depth, lower);
-    const double size = NodeBall<Dim>::GetSize(cover.Depth);
+    const double size = NodeBall<Dim>::GetSide(cover.Depth);
     Group cells;
     std::size_t count = 0;
     std::uint64_t internal = 0;
     ReachCells(
-      this->Tree, cover, startDepth, this->Reading, this->Examined,
+      this->Tree, cover, startDepth, this->Examined, this->Reading,
       [&](unsigned corner, Key key, const Entry& entry) __attribute__((always_inline)) {
         if (count == GroupSize)
         {
@@ -116,7 +116,7 @@ private:
   HASHEDOCTREE_INLINE void ListBelow(
     Machine machine, const Group& parents, std::uint64_t internal, int depth)
   {
-    const double size = NodeBall<Dim>::GetSize(depth);
+    const double size = NodeBall<Dim>::GetSide(depth);
     while (internal != 0)
     {
       Group nodes;

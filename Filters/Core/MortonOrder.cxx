@@ -159,14 +159,14 @@ private:
   {
     const int depths = std::min(Digit<Dim>::MostSparseDepths, MortonKey<Dim>::MaxDepth - depth);
     const Digit<Dim> digit(depth, depths);
-    std::array<std::size_t, SampleSize> places;
+    std::array<std::size_t, SampleSize> digits;
     for (std::size_t i = 0; i < SampleSize; ++i)
     {
-      places[i] = digit.Of(points[count / SampleSize * i]);
+      digits[i] = digit.Of(points[count / SampleSize * i]);
     }
-    std::sort(places.begin(), places.end());
-    const auto end = std::unique(places.begin(), places.end());
-    return GetBranching(static_cast<std::size_t>(end - places.begin()), depths);
+    std::sort(digits.begin(), digits.end());
+    const auto end = std::unique(digits.begin(), digits.end());
+    return GetBranching(static_cast<std::size_t>(end - digits.begin()), depths);
   }
 
   /** Of points that have so many descendants of a node, `depths` below it. */
@@ -196,17 +196,17 @@ private:
     const std::size_t count = range.Last - range.First;
     const int depths = this->GetSharedDepths(from, count, range.Depth);
     const Digit<Dim> digit(range.Depth, depths);
-    const std::size_t places = digit.GetCount();
-    const std::size_t chunkSize = std::max(ChunkSize, LeastOfDigit * places);
+    const std::size_t digits = digit.GetCount();
+    const std::size_t chunkSize = std::max(ChunkSize, LeastOfDigit * digits);
 
-    std::vector<PointIndex> counts(2 * places * Execution::GetNumberOfChunks(count, chunkSize));
+    std::vector<PointIndex> counts(2 * digits * Execution::GetNumberOfChunks(count, chunkSize));
     const auto getCounters = [&](std::size_t chunk) {
-      return Counters{ &counts[2 * chunk * places], &counts[(2 * chunk + 1) * places] };
+      return Counters{ &counts[2 * chunk * digits], &counts[(2 * chunk + 1) * digits] };
     };
     this->ForChunks(count, chunkSize,
       [&](std::size_t chunk, std::size_t first, std::size_t last)
       { CountDigits(from + first, last - first, digit, getCounters(chunk)); });
-    const std::vector<std::size_t> starts = FindPlaces(counts, places);
+    const std::vector<std::size_t> starts = FindPlaces(counts, digits);
 
     const std::size_t firstDigit = digit.Of(from[0]);
     if (starts[firstDigit + 1] - starts[firstDigit] == count)
@@ -221,16 +221,16 @@ private:
       [&](std::size_t chunk, std::size_t first, std::size_t last)
       { Scatter(from + first, last - first, digit, getCounters(chunk), to); });
     std::size_t occupied = 0;
-    for (std::size_t place = 0; place < places; ++place)
+    for (std::size_t i = 0; i < digits; ++i)
     {
-      occupied += starts[place] != starts[place + 1] ? 1 : 0;
+      occupied += starts[i] != starts[i + 1] ? 1 : 0;
     }
     const double branching = GetBranching(occupied, depths);
-    for (std::size_t place = places; place-- > 0;)
+    for (std::size_t i = digits; i-- > 0;)
     {
-      if (starts[place] != starts[place + 1])
+      if (starts[i] != starts[i + 1])
       {
-        rest.push_back(Range{ range.First + starts[place], range.First + starts[place + 1],
+        rest.push_back(Range{ range.First + starts[i], range.First + starts[i + 1],
           range.Depth + depths, !range.InScratch, branching });
       }
     }
@@ -393,9 +393,9 @@ private:
     const double below = GetBranching(CountsToPlaces(counts, digit.GetCount()), depths);
     Scatter(from, count, digit, counts, other);
     PointIndex begin = 0;
-    for (std::size_t place = 0; place < digit.GetCount(); ++place)
+    for (std::size_t i = 0; i < digit.GetCount(); ++i)
     {
-      const PointIndex end = second[place]; // Those of the second half come last.
+      const PointIndex end = second[i]; // Those of the second half come last.
       if (end != begin)
       {
         this->SortOne(other + begin, from + begin, end - begin, depth + depths, !intoOther, below);
@@ -411,8 +411,8 @@ private:
     std::fill_n(counts.FirstHalf, digit.GetCount(), 0);
     std::fill_n(counts.SecondHalf, digit.GetCount(), 0);
     CountDigits(points, count, digit, counts);
-    const std::size_t place = digit.Of(points[0]);
-    return counts.FirstHalf[place] + counts.SecondHalf[place] != count;
+    const std::size_t first = digit.Of(points[0]);
+    return counts.FirstHalf[first] + counts.SecondHalf[first] != count;
   }
 
   /** Replaces the counts of each digit by the places where each half puts its first point of it;

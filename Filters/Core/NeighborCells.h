@@ -69,7 +69,7 @@ struct NeighborCells
  */
 template <int Dim, typename Count, typename OnBlock, typename OnLeaf>
 HASHEDOCTREE_INLINE void ReachCells(const Octree<Dim>& tree, const NeighborCells<Dim>& cells,
-  int startDepth, EmptyOctants reading, Count& count, const OnBlock& onBlock, const OnLeaf& onLeaf)
+  int startDepth, Count& count, EmptyOctants reading, const OnBlock& onBlock, const OnLeaf& onLeaf)
 {
   using Key = MortonKey<Dim>;
   typename NeighborCells<Dim>::CornerKeys keys;

@@ -38,7 +38,7 @@ public:
 
   /** `radius` in world units, not negative; may be infinite. */
   NodeBall(const Grid<Dim>& grid, Key node, double radius)
-    : Radius(radius / grid.GetSide() * GetSize(0))
+    : Radius(radius / grid.GetSide() * GetSide(0))
     , Radius2(this->Radius * this->Radius)
     , Depth(node.GetDepth())
   {
@@ -52,7 +52,7 @@ public:
   /** Whether it reaches the border of the node. If not, it meets no other leaf. */
   bool ReachesBorder() const
   {
-    const double halfSize = 0.5 * GetSize(this->Depth);
+    const double halfSize = 0.5 * GetSide(this->Depth);
     return halfSize * halfSize <= this->Radius2;
   }
 
@@ -151,7 +151,7 @@ public:
   }
 
   /** The side of the cells at a depth. */
-  static double GetSize(int depth)
+  static double GetSide(int depth)
   {
     return static_cast<double>(std::int64_t(2) << (Key::MaxDepth - depth));
   }

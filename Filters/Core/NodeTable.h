@@ -35,8 +35,8 @@ class NodeTable
 public:
   /** Room for this many keys. No key is found in it. */
   explicit NodeTable(std::size_t numberOfKeys = 0)
-    : Slots(Hash(numberOfKeys))
-    , Buckets(this->Slots.GetNumberOfSlots() / SlotsOfBucket, Memory::Zeroed)
+    : SlotHash(Hash(numberOfKeys))
+    , Buckets(this->SlotHash.GetNumberOfSlots() / SlotsOfBucket, Memory::Zeroed)
   {
   }
 
@@ -69,22 +69,22 @@ public:
    * allowed. Returns where the value is; references to other values end. */
   Value& Insert(std::uint64_t key, const Value& value)
   {
-    std::size_t home = this->GetHome(key);
-    while (this->Buckets[home].IsFull())
+    std::size_t at = this->GetHome(key);
+    while (this->Buckets[at].IsFull())
     {
-      this->Buckets[home].SetTurnedAway(true);
-      home = this->GetNext(home);
+      this->Buckets[at].SetTurnedAway(true);
+      at = this->GetNext(at);
     }
     ++this->NumberOfKeys;
-    return this->Buckets[home].Add(key, value);
+    return this->Buckets[at].Add(key, value);
   }
 
   /** Takes out a key, not 0; whether it was there. References to values end. */
   bool Erase(std::uint64_t key)
   {
-    for (std::size_t home = this->GetHome(key);; home = this->GetNext(home))
+    for (std::size_t at = this->GetHome(key);; at = this->GetNext(at))
     {
-      Bucket& bucket = this->Buckets[home];
+      Bucket& bucket = this->Buckets[at];
       const auto* slot = std::find(bucket.Keys, bucket.Keys + SlotsOfBucket, key);
       const bool turnedAway = bucket.HasTurnedAway();
       if (slot != bucket.Keys + SlotsOfBucket)
@@ -93,7 +93,7 @@ public:
         --this->NumberOfKeys;
         if (turnedAway)
         {
-          this->FillHole(home);
+          this->FillHole(at);
         }
         return true;
       }
@@ -118,9 +118,9 @@ public:
   /** The value of a key, not 0, or null. */
   const Value* Find(std::uint64_t key) const
   {
-    for (std::size_t home = this->GetHome(key);; home = this->GetNext(home))
+    for (std::size_t at = this->GetHome(key);; at = this->GetNext(at))
     {
-      const Bucket& bucket = this->Buckets[home];
+      const Bucket& bucket = this->Buckets[at];
       const unsigned match = MatchKeys(bucket.Keys, key);
       if (match != 0)
       {
@@ -251,7 +251,10 @@ private:
     ++lengths[distance];
   }
 
-  std::size_t GetHome(std::uint64_t key) const { return this->Slots.GetSlot(key) / SlotsOfBucket; }
+  std::size_t GetHome(std::uint64_t key) const
+  {
+    return this->SlotHash.GetSlot(key) / SlotsOfBucket;
+  }
   std::size_t GetNext(std::size_t bucket) const
   {
     return bucket + 1 == this->Buckets.GetSize() ? 0 : bucket + 1;
@@ -287,7 +290,7 @@ private:
     }
   }
 
-  Hash Slots;
+  Hash SlotHash;
   Buffer<Bucket> Buckets;
   std::size_t NumberOfKeys = 0;
 };

@@ -32,7 +32,7 @@ public:
   OctreeBuilder(Octree<Dim>& tree, const Buffer<KeyedPoint<Dim>>& points)
     : Tree(tree)
     , Points(points)
-    , ChunksBefore(Execution::GetNumberOfChunks(points.GetSize(), ChunkSize))
+    , Chunks(Execution::GetNumberOfChunks(points.GetSize(), ChunkSize))
   {
   }
 
@@ -63,10 +63,10 @@ private:
   /** One number for each depth. */
   using PerDepth = std::array<std::size_t, NumberOfDepths>;
 
-  /** What the chunks of points before one have: how many internal nodes of each depth begin there,
-   * or where those of the depth begin among the blocks, and one past the point where the last does,
-   * or 0. */
-  struct Before
+  /** Of a chunk of points: how many internal nodes of each depth begin there, and one past the
+   * point where the last does, or 0; then where the first of them stands among the blocks, and the
+   * same point of the chunks before it. */
+  struct ChunkNodes
   {
     PerDepth Nodes{};
     PerDepth LastBegin{};
@@ -92,7 +92,7 @@ private:
       : -1;
   }
 
-  /** Fills ChunksBefore, and copies the ids, since it reads all points anyway. */
+  /** Fills Chunks, and copies the ids, since it reads all points anyway. */
   void CountNodes(const Execution& execution)
   {
     const std::size_t numberOfPoints = this->Points.GetSize();
@@ -101,7 +101,7 @@ private:
     execution.ForChunks(numberOfPoints, ChunkSize,
       [this](std::size_t chunk, std::size_t first, std::size_t last)
       {
-        Before here;
+        ChunkNodes here;
         for (std::size_t i = first; i < last; ++i)
         {
           this->Tree.PointIds[i] = this->Points[i].GetId();
@@ -118,14 +118,14 @@ private:
             here.LastBegin[static_cast<std::size_t>(depth)] = i + 1;
           }
         }
-        this->ChunksBefore[chunk] = here;
+        this->Chunks[chunk] = here;
       });
 
     std::size_t nodes = 0;
     for (std::size_t depth = 0; depth < NumberOfDepths; ++depth)
     {
       std::size_t lastBegin = 0;
-      for (Before& chunk : this->ChunksBefore)
+      for (ChunkNodes& chunk : this->Chunks)
       {
         nodes += std::exchange(chunk.Nodes[depth], nodes);
         lastBegin = std::max(lastBegin, std::exchange(chunk.LastBegin[depth], lastBegin));
@@ -147,10 +147,10 @@ private:
     TouchPages(this->Tree.BlockKeys, execution);
     execution.ForChunks(this->Points.GetSize(), ChunkSize,
       [this](std::size_t chunk, std::size_t first, std::size_t last)
-      { this->PlaceNodesOf(this->ChunksBefore[chunk], first, last); });
+      { this->PlaceNodesOf(this->Chunks[chunk], first, last); });
   }
 
-  void PlaceNodesOf(const Before& chunk, std::size_t first, std::size_t last)
+  void PlaceNodesOf(const ChunkNodes& chunk, std::size_t first, std::size_t last)
   {
     PerDepth next = chunk.Nodes;
     int deepest = this->GetDeepestBefore(chunk, first);
@@ -173,11 +173,11 @@ private:
       for (int depth = common + 1; depth <= deepest; ++depth)
       {
         const auto d = static_cast<std::size_t>(depth);
-        const std::size_t node = next[d]++;
-        this->Tree.BlockKeys[node] = key.AtDepth(depth);
-        this->Tree.Blocks[node].FirstPoint[0] = static_cast<PointIndex>(i);
+        const std::size_t block = next[d]++;
+        this->Tree.BlockKeys[block] = key.AtDepth(depth);
+        this->Tree.Blocks[block].FirstPoint[0] = static_cast<PointIndex>(i);
         // Internal children begin here or later, and all earlier ones have other parents.
-        this->Tree.BlockOctants[node].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
+        this->Tree.BlockOctants[block].FirstChild = static_cast<std::uint32_t>(next[d + 1]);
       }
     }
     if (last == this->Points.GetSize())
@@ -193,12 +193,12 @@ private:
   }
 
   /** The depth of the deepest internal node that the point before a chunk is in, -1 for none. */
-  int GetDeepestBefore(const Before& before, std::size_t first) const
+  int GetDeepestBefore(const ChunkNodes& chunk, std::size_t first) const
   {
     int depth = first == 0 ? -1 : this->Tree.BuildOptions.MaxDepth - 1;
     for (; depth >= 0; --depth)
     {
-      const std::size_t lastBegin = before.LastBegin[static_cast<std::size_t>(depth)];
+      const std::size_t lastBegin = chunk.LastBegin[static_cast<std::size_t>(depth)];
       if (lastBegin > 0 &&
         Key::GetCommonDepth(
           this->Points[lastBegin - 1].GetKey(), this->Points[first - 1].GetKey()) >= depth)
@@ -211,13 +211,13 @@ private:
 
   /** Tells the internal nodes of some depths that the point before i is in that the child which
    * holds it ends at i. */
-  void EndChildren(const PerDepth& next, std::size_t i, int firstDepth, int lastDepth)
+  void EndChildren(const PerDepth& next, std::size_t i, int shallowest, int deepest)
   {
     const Key key = this->Points[i - 1].GetKey();
-    for (int depth = firstDepth; depth <= lastDepth; ++depth)
+    for (int depth = shallowest; depth <= deepest; ++depth)
     {
-      Block& block = this->Tree.Blocks[next[static_cast<std::size_t>(depth)] - 1];
-      block.FirstPoint[key.AtDepth(depth + 1).GetOctant() + 1] = static_cast<PointIndex>(i);
+      Block& ranges = this->Tree.Blocks[next[static_cast<std::size_t>(depth)] - 1];
+      ranges.FirstPoint[key.AtDepth(depth + 1).GetOctant() + 1] = static_cast<PointIndex>(i);
     }
   }
 
@@ -230,9 +230,9 @@ private:
       [this](std::size_t first, std::size_t last)
       {
         DepthTally<Dim> tally;
-        for (std::size_t node = first; node < last; ++node)
+        for (std::size_t block = first; block < last; ++block)
         {
-          this->DescribeChildrenOf(node, tally);
+          this->DescribeChildrenOf(block, tally);
         }
         return tally;
       });
@@ -244,10 +244,10 @@ private:
     this->Tree.Counts = all.GetCounts();
   }
 
-  void DescribeChildrenOf(std::size_t node, DepthTally<Dim>& tally)
+  void DescribeChildrenOf(std::size_t block, DepthTally<Dim>& tally)
   {
-    auto& firstPoint = this->Tree.Blocks[node].FirstPoint;
-    const int depth = this->Tree.BlockKeys[node].GetDepth() + 1;
+    auto& firstPoint = this->Tree.Blocks[block].FirstPoint;
+    const int depth = this->Tree.BlockKeys[block].GetDepth() + 1;
     const std::size_t mostInLeaf = depth < this->Tree.BuildOptions.MaxDepth
       ? this->Tree.BuildOptions.MaxPointsPerLeaf
       : this->Points.GetSize();
@@ -267,7 +267,7 @@ private:
       internal |= static_cast<unsigned>(count > most) << octant;
       inInternal += count > most ? count : 0;
     }
-    Octants& octants = this->Tree.BlockOctants[node];
+    Octants& octants = this->Tree.BlockOctants[block];
     octants.Internal = static_cast<OctantMask<Dim>>(internal);
     octants.Occupied = static_cast<OctantMask<Dim>>(occupied);
     tally.AddChildren(depth, octants, begin - firstPoint[0] - inInternal);
@@ -281,13 +281,13 @@ private:
     for (std::size_t first = 0; first < numberOfNodes; first += TableBatch)
     {
       const std::size_t last = std::min(numberOfNodes, first + TableBatch);
-      for (std::size_t node = first; node < last; ++node)
+      for (std::size_t block = first; block < last; ++block)
       {
         this->Tree.Table.Prefetch(
-          this->Tree.BlockKeys[std::min(node + PrefetchDistance, numberOfNodes - 1)].GetValue());
-        const Octants& octants = this->Tree.BlockOctants[node];
-        this->Tree.Table.Insert(this->Tree.BlockKeys[node].GetValue(),
-          Entry{ static_cast<std::uint32_t>(node), octants.Internal, octants.Occupied });
+          this->Tree.BlockKeys[std::min(block + PrefetchDistance, numberOfNodes - 1)].GetValue());
+        const Octants& octants = this->Tree.BlockOctants[block];
+        this->Tree.Table.Insert(this->Tree.BlockKeys[block].GetValue(),
+          Entry{ static_cast<std::uint32_t>(block), octants.Internal, octants.Occupied });
       }
       execution.Tell(static_cast<double>(last) / static_cast<double>(numberOfNodes));
     }
@@ -297,7 +297,7 @@ private:
 
   Octree<Dim>& Tree;
   const Buffer<KeyedPoint<Dim>>& Points;
-  std::vector<Before> ChunksBefore;
+  std::vector<ChunkNodes> Chunks;
 };
 }
 

@@ -24,7 +24,7 @@ public:
   /** Of a position given in cells of MaxDepth from the root's lower corner, for the block at a
    * depth that a cell of MaxDepth lies in; `cellsPerLength` is of the grid. */
   PlaceInBlock(
-    const Position<Dim>& place, const Cell<Dim>& inside, int depth, double cellsPerLength)
+    const GridPlace<Dim>& place, const Cell<Dim>& inside, int depth, double cellsPerLength)
   {
     const int shift = MortonKey<Dim>::MaxDepth - depth;
     const double stepsPerCell = NumberOfSteps / static_cast<double>(std::uint64_t(1) << shift);
@@ -83,7 +83,7 @@ public:
   unsigned Measure(
     const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, double reach2, float* dist2) const
   {
-    return kernels.ToBoxes(
+    return kernels.MeasureBoxes(
       boxes, this->Steps.data(), static_cast<float>(reach2 * Room<float>), dist2);
   }
   unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, double reach2,
@@ -102,7 +102,7 @@ public:
     {
       return std::numeric_limits<double>::infinity();
     }
-    const float dist2 = kernels.ToFarthestCorner(boxes, this->Steps.data(), octants);
+    const float dist2 = kernels.MeasureFarthestCorner(boxes, this->Steps.data(), octants);
     return static_cast<double>(dist2) * Room<float> / this->PerLength2;
   }
 
@@ -116,7 +116,7 @@ public:
     const auto limit = static_cast<T>(reach2 * shrink);
     if constexpr (std::is_same_v<T, float>)
     {
-      return kernels.ToWholeBoxes(boxes, this->Steps.data(), limit);
+      return kernels.SelectWholeBoxes(boxes, this->Steps.data(), limit);
     }
     else
     {
@@ -132,8 +132,8 @@ private:
   static_assert(Far + 2.0 * NumberOfSteps <= BoxKernels<Dim>::FarthestPlace,
     "the kernels must take the places of children that are near");
 
-  Position<Dim> Steps; ///< From the lower corner of the block's cell.
-  double PerLength2;   ///< Squared steps in a squared world unit.
+  std::array<double, Dim> Steps; ///< From the lower corner of the block's cell.
+  double PerLength2;             ///< Squared steps in a squared world unit.
 };
 }
 

@@ -58,7 +58,7 @@ public:
 private:
   using Key = MortonKey<Dim>;
   /** How a child's box lies to the wanted one. */
-  enum class Side
+  enum class Overlap
   {
     Outside,
     Across,
@@ -96,8 +96,8 @@ private:
   /** `origin` is the lower corner of the block, `step` a step of its boxes. The places of a child's
    * points are at `lower` or above it, and below `upper`, both of which are exact: where these are
    * on the one side of a place, so are the points of its coordinate. */
-  Side GetSide(
-    const ChildBoxes<Dim>& boxes, unsigned octant, const Position<Dim>& origin, double step) const
+  Overlap GetOverlap(
+    const ChildBoxes<Dim>& boxes, unsigned octant, const GridPlace<Dim>& origin, double step) const
   {
     bool isInside = true;
     bool isOutside = false;
@@ -108,19 +108,19 @@ private:
       isOutside |= upper <= this->Lower[axis] || lower > this->Upper[axis];
       isInside &= lower > this->Before[axis] && upper <= this->Behind[axis];
     }
-    return isOutside ? Side::Outside : isInside ? Side::Inside : Side::Across;
+    return isOutside ? Overlap::Outside : isInside ? Overlap::Inside : Overlap::Across;
   }
 
   void Descend(std::uint32_t top)
   {
     this->Examined.AddNode();
-    const std::uint32_t number = this->Tree.GetFork(top);
-    const auto& block = this->Nodes.GetBlock(number);
-    const auto octants = this->Nodes.GetOctants(number);
-    const Key key = this->Nodes.GetBlockKey(number);
+    const std::uint32_t block = this->Tree.GetFork(top);
+    const auto& ranges = this->Nodes.GetBlock(block);
+    const auto octants = this->Nodes.GetOctants(block);
+    const Key key = this->Nodes.GetBlockKey(block);
     const double width = std::ldexp(1.0, Key::MaxDepth - key.GetDepth());
     const Cell<Dim> cell = key.GetCell();
-    Position<Dim> origin;
+    GridPlace<Dim> origin;
     for (int axis = 0; axis < Dim; ++axis)
     {
       origin[axis] = width * cell[axis];
@@ -131,20 +131,20 @@ private:
       {
         continue;
       }
-      const Side side = this->GetSide(
-        this->Tree.GetChildBoxes(number), octant, origin, width / ChildBoxes<Dim>::Steps);
-      const PointIndex first = block.FirstPoint[octant];
-      const PointIndex last = block.FirstPoint[octant + 1];
-      if (side == Side::Inside)
+      const Overlap overlap = this->GetOverlap(
+        this->Tree.GetChildBoxes(block), octant, origin, width / ChildBoxes<Dim>::Steps);
+      const PointIndex first = ranges.FirstPoint[octant];
+      const PointIndex last = ranges.FirstPoint[octant + 1];
+      if (overlap == Overlap::Inside)
       {
         this->Found.insert(
           this->Found.end(), this->Tree.GetIds() + first, this->Tree.GetIds() + last);
       }
-      else if (side == Side::Across && (octants.Internal >> octant & 1U) != 0)
+      else if (overlap == Overlap::Across && (octants.Internal >> octant & 1U) != 0)
       {
-        this->Descend(this->Nodes.GetChildBlock(number, octant));
+        this->Descend(this->Nodes.GetChildBlock(block, octant));
       }
-      else if (side == Side::Across)
+      else if (overlap == Overlap::Across)
       {
         this->ScanLeaf(first, last);
       }
@@ -181,10 +181,10 @@ private:
   std::vector<PointIndex>& Found;
   Count& Examined;
   /** Places of the wanted box, of the last coordinates before it, and of the first behind it. */
-  Position<Dim> Lower;
-  Position<Dim> Upper;
-  Position<Dim> Before;
-  Position<Dim> Behind;
+  GridPlace<Dim> Lower;
+  GridPlace<Dim> Upper;
+  GridPlace<Dim> Before;
+  GridPlace<Dim> Behind;
 };
 }
 

@@ -31,12 +31,12 @@ public:
   using Block = typename Octree<Dim>::Block;
 
   /** `place` is the position in cells of MaxDepth from the root's lower corner. */
-  PointDescent(const PointTree<Dim, Real>& tree, const Position<Dim>& x, const Position<Dim>& place,
-    Collector& collector, Count& count)
+  PointDescent(const PointTree<Dim, Real>& tree, const Position<Dim>& x,
+    const GridPlace<Dim>& place, Collector& collector, Count& count)
     : Tree(tree)
     , X(x)
     , PlaceInRoot(place)
-    , Points(collector)
+    , Found(collector)
     , Examined(count)
   {
   }
@@ -57,7 +57,7 @@ public:
 
   /** Asks the machine to load the boxes of a block. (Inline for the reason of
    * NodeTable::Prefetch().) */
-  [[gnu::always_inline]] void AskForBoxes(std::uint32_t block) const
+  [[gnu::always_inline]] void PrefetchBoxes(std::uint32_t block) const
   {
     const auto* boxes = reinterpret_cast<const char*>(&this->Tree.GetChildBoxes(block));
     __builtin_prefetch(boxes);
@@ -65,9 +65,9 @@ public:
   }
 
   /** Searches a child that is a leaf. */
-  void ScanChild(const Block& block, unsigned octant)
+  void ScanChild(const Block& ranges, unsigned octant)
   {
-    this->ScanLeaf(block.FirstPoint[octant], block.FirstPoint[octant + 1]);
+    this->ScanLeaf(ranges.FirstPoint[octant], ranges.FirstPoint[octant + 1]);
   }
 
   /** Searches a leaf, given where its points begin and end. */
@@ -89,7 +89,7 @@ public:
     }
     const Real* coordinates = this->Tree.GetLeafCoordinates(first);
     const PointIndex* ids = this->Tree.GetIds() + first;
-    if (this->Points.NeedsIds())
+    if (this->Found.NeedsIds())
     {
       // Now, while the points are measured: in a large tree each wait for memory counts.
       __builtin_prefetch(ids);
@@ -103,21 +103,22 @@ public:
       const std::size_t count = std::min<std::size_t>(Kernels::MostPoints, size - done);
       const Real* some = coordinates + done;
       const double* x = this->X.data();
-      const double bound2 = this->Points.GetBound2();
+      const double bound2 = this->Found.GetBound2();
       if constexpr (Collector::TakesWithin)
       {
-        const std::uint64_t within = kernels.ToPointsWithin(some, stride, count, x, bound2, dist2);
+        const std::uint64_t within =
+          kernels.MeasurePointsWithin(some, stride, count, x, bound2, dist2);
         if (within != 0)
         {
-          this->Points.Add(dist2, within, ids + done, count);
+          this->Found.Add(dist2, within, ids + done, count);
         }
       }
       else
       {
-        const double least = kernels.ToPoints(some, stride, count, x, dist2);
+        const double least = kernels.MeasurePoints(some, stride, count, x, dist2);
         if (least <= bound2)
         {
-          this->Points.Add(dist2, least, ids + done, count);
+          this->Found.Add(dist2, least, ids + done, count);
         }
       }
     }
@@ -144,7 +145,7 @@ private:
   {
     if (const PointTree<Dim, Real>* nested = this->Tree.FindNested(first))
     {
-      SearchPoints<Dim, Real>(*nested, this->X, this->Points, this->Examined, 1);
+      SearchPoints<Dim, Real>(*nested, this->X, this->Found, this->Examined, 1);
       return 0;
     }
     if (!this->Tree.PartsAllPlaces())
@@ -157,7 +158,7 @@ private:
     }
     else
     {
-      return std::min(size, this->Points.GetMostAtOnePlace());
+      return std::min(size, this->Found.GetMostAtOnePlace());
     }
   }
 
@@ -165,8 +166,8 @@ private:
   bool IsWithin(PointIndex firstPoint, std::size_t size) const
   {
     double dist2[PointKernels<Dim, Real>::MostPoints];
-    return this->Tree.GetPointKernels().ToPoints(this->Tree.GetLeafCoordinates(firstPoint), size, 1,
-             this->X.data(), dist2) <= this->Points.GetBound2();
+    return this->Tree.GetPointKernels().MeasurePoints(this->Tree.GetLeafCoordinates(firstPoint),
+             size, 1, this->X.data(), dist2) <= this->Found.GetBound2();
   }
 
   Place GetPlace(const Cell<Dim>& inside, int depth) const
@@ -176,7 +177,7 @@ private:
   }
 
   /** The squared reach of the ball in steps, beyond which a child is of no use. */
-  double GetReach2(const Place& place) const { return place.ToSteps2(this->Points.GetBound2()); }
+  double GetReach2(const Place& place) const { return place.ToSteps2(this->Found.GetBound2()); }
 
   template <typename T>
   unsigned Measure(std::uint32_t block, const Place& place, T* dist2) const
@@ -187,32 +188,32 @@ private:
 
   /** Searches the children of a block, with distances in float, or from far away in double. */
   template <typename T>
-  void Descend(std::uint32_t number, const Place& place)
+  void Descend(std::uint32_t block, const Place& place)
   {
-    if (number == this->SearchedBlock)
+    if (block == this->SearchedBlock)
     {
       return;
     }
     this->Examined.AddNode();
-    if (this->Tree.IsLink(number))
+    if (this->Tree.IsLink(block))
     {
-      this->SearchFork(number);
+      this->SearchFork(block);
       return;
     }
     T dist2[NumberOfOctants];
     const Octree<Dim>& octree = this->Tree.GetOctree();
-    const auto octants = octree.GetOctants(number);
-    unsigned left = octants.Occupied & this->Measure(number, place, dist2);
+    const auto octants = octree.GetOctants(block);
+    unsigned left = octants.Occupied & this->Measure(block, place, dist2);
     if constexpr (Collector::TakesWholeNodes)
     {
-      left = this->template TakeWholeNodes<T>(number, place, left);
+      left = this->template TakeWholeNodes<T>(block, place, left);
     }
     if constexpr (Collector::TakesPromises && std::is_same_v<T, float>)
     {
-      if (!this->Points.HasFound())
+      if (!this->Found.HasFound())
       {
-        this->Points.Promise(
-          place.GetPromise2(this->Tree.GetBoxKernels(), this->Tree.GetChildBoxes(number), left));
+        this->Found.Promise(
+          place.GetPromise2(this->Tree.GetBoxKernels(), this->Tree.GetChildBoxes(block), left));
       }
     }
     while (left != 0)
@@ -226,17 +227,17 @@ private:
       left &= ~(1U << octant);
       if ((octants.Internal >> octant & 1U) == 0)
       {
-        this->ScanChild(octree.GetBlock(number), octant);
+        this->ScanChild(octree.GetBlock(block), octant);
       }
       else if (std::is_same_v<T, float> && Place::IsNearToChild(static_cast<float>(dist2[octant])))
       {
         this->template Descend<float>(
-          octree.GetChildBlock(number, octant), place.GetInChild(octant));
+          octree.GetChildBlock(block, octant), place.GetInChild(octant));
       }
       else
       {
         this->template Descend<double>(
-          octree.GetChildBlock(number, octant), place.GetInChild(octant));
+          octree.GetChildBlock(block, octant), place.GetInChild(octant));
       }
     }
   }
@@ -270,7 +271,7 @@ private:
 
   /** Hands over the points of the children that lie in the ball as a whole; returns the others. */
   template <typename T>
-  unsigned TakeWholeNodes(std::uint32_t number, const Place& place, unsigned octants)
+  unsigned TakeWholeNodes(std::uint32_t block, const Place& place, unsigned octants)
   {
     // Where squares are not exact, points are looked at one by one.
     const double reach2 = this->GetReach2(place);
@@ -278,23 +279,23 @@ private:
     {
       return octants;
     }
-    const Block& block = this->Tree.GetOctree().GetBlock(number);
+    const Block& ranges = this->Tree.GetOctree().GetBlock(block);
     const unsigned whole = octants &
       place.template GetWhole<T>(
-        this->Tree.GetBoxKernels(), this->Tree.GetChildBoxes(number), reach2);
+        this->Tree.GetBoxKernels(), this->Tree.GetChildBoxes(block), reach2);
     for (unsigned rest = whole; rest != 0; rest &= rest - 1)
     {
       const auto octant = static_cast<unsigned>(__builtin_ctz(rest));
-      const PointIndex first = block.FirstPoint[octant];
-      this->Points.AddAll(this->Tree.GetIds() + first, block.FirstPoint[octant + 1] - first);
+      const PointIndex first = ranges.FirstPoint[octant];
+      this->Found.AddAll(this->Tree.GetIds() + first, ranges.FirstPoint[octant + 1] - first);
     }
     return octants & ~whole;
   }
 
   const PointTree<Dim, Real>& Tree;
   const Position<Dim>& X;
-  const Position<Dim>& PlaceInRoot;
-  Collector& Points;
+  const GridPlace<Dim>& PlaceInRoot;
+  Collector& Found;
   Count& Examined;
   PointIndex ScannedPoint = NoPoint;     ///< The leaf that begins there is left out,
   std::uint32_t SearchedBlock = NoBlock; ///< and this block.

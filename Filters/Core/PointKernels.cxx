@@ -19,7 +19,7 @@ namespace
 template <int Dim, typename Real>
 struct PlainPoints
 {
-  static double ToPoints(
+  static double MeasurePoints(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
     constexpr std::size_t width = 4;
@@ -46,11 +46,12 @@ struct PlainPoints
     const double b = least[2] < least[3] ? least[2] : least[3];
     return a < b ? a : b;
   }
-  static std::uint64_t ToPointsWithin(const Real* coordinates, std::size_t stride,
+  static std::uint64_t MeasurePointsWithin(const Real* coordinates, std::size_t stride,
     std::size_t count, const double* x, double limit, double* dist2)
   {
-    return ToPoints(coordinates, stride, count, x, dist2) <= limit ? Select(dist2, count, limit)
-                                                                   : 0;
+    return MeasurePoints(coordinates, stride, count, x, dist2) <= limit
+      ? Select(dist2, count, limit)
+      : 0;
   }
   static std::uint64_t Select(const double* dist2, std::size_t count, double limit)
   {
@@ -111,7 +112,7 @@ template <int Dim, typename Real>
 struct Avx2Points
 {
   // Not left to the compiler: GCC 12 converts floats in halves, and loads x anew for all four.
-  HASHEDOCTREE_WITH_AVX2 static double ToPoints(
+  HASHEDOCTREE_WITH_AVX2 static double MeasurePoints(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2)
   {
     __m256d center[Dim];
@@ -131,7 +132,7 @@ struct Avx2Points
     return _mm_cvtsd_f64(_mm_min_sd(half, _mm_unpackhi_pd(half, half)));
   }
   // Eight at a time: how often a loop runs is hard for the machine to foresee.
-  HASHEDOCTREE_WITH_AVX2 static std::uint64_t ToPointsWithin(const Real* coordinates,
+  HASHEDOCTREE_WITH_AVX2 static std::uint64_t MeasurePointsWithin(const Real* coordinates,
     std::size_t stride, std::size_t count, const double* x, double limit, double* dist2)
   {
     __m256d center[Dim];
@@ -219,8 +220,8 @@ private:
 #endif
 
 template <int Dim, typename Real>
-constexpr PointKernels<Dim, Real> PlainPointKernels = { PlainPoints<Dim, Real>::ToPoints,
-  PlainPoints<Dim, Real>::ToPointsWithin, PlainPoints<Dim, Real>::Select,
+constexpr PointKernels<Dim, Real> PlainPointKernels = { PlainPoints<Dim, Real>::MeasurePoints,
+  PlainPoints<Dim, Real>::MeasurePointsWithin, PlainPoints<Dim, Real>::Select,
   PlainPoints<Dim, Real>::CopySelected };
 
 template <int Dim, typename Real>
@@ -229,8 +230,8 @@ PointKernels<Dim, Real> ChoosePointKernels()
 #if defined(__x86_64__)
   if (HasAvx2())
   {
-    PointKernels<Dim, Real> kernels = { Avx2Points<Dim, Real>::ToPoints,
-      Avx2Points<Dim, Real>::ToPointsWithin, Avx2Points<Dim, Real>::Select,
+    PointKernels<Dim, Real> kernels = { Avx2Points<Dim, Real>::MeasurePoints,
+      Avx2Points<Dim, Real>::MeasurePointsWithin, Avx2Points<Dim, Real>::Select,
       PlainPoints<Dim, Real>::CopySelected };
     if constexpr (sizeof(PointIndex) == sizeof(std::uint32_t))
     {

@@ -24,12 +24,12 @@ struct PointKernels
   /** Squared distances from x to `count` points, at least one, whose coordinates on one axis stand
    * side by side, and those on the next axis `stride` further: the sum of squared differences in
    * double, axis by axis in order. `dist2` has room for MostPoints; behind the last stands infinity
-   * until their number is a multiple of 4. ToPoints() returns the least of them, ToPointsWithin()
-   * which are not greater than a limit: bit i for the one to point i. */
-  double (*ToPoints)(
+   * until their number is a multiple of 4. MeasurePoints() returns the least of them,
+   * MeasurePointsWithin() which are not greater than a limit: bit i for the one to point i. */
+  double (*MeasurePoints)(
     const Real* coordinates, std::size_t stride, std::size_t count, const double* x, double* dist2);
-  std::uint64_t (*ToPointsWithin)(const Real* coordinates, std::size_t stride, std::size_t count,
-    const double* x, double limit, double* dist2);
+  std::uint64_t (*MeasurePointsWithin)(const Real* coordinates, std::size_t stride,
+    std::size_t count, const double* x, double limit, double* dist2);
   ///@}
 
   /** The same mask, of distances that one of them has written, at least one. */

@@ -4,7 +4,7 @@
 
 #include "GridCells.h"
 #include "PlaneSpan.h"
-#include "PointSelection.h"
+#include "PointSpan.h"
 
 #include <algorithm>
 #include <array>

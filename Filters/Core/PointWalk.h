@@ -31,7 +31,7 @@ public:
     : Starts(tree.GetStartDepths())
     , Free(tree.GetFreeSpace())
     , Nodes(tree.GetOctree())
-    , Points(collector)
+    , Found(collector)
     , Examined(count)
     , Ball(this->Nodes.GetGrid(), x, tree.GetFlatAxes())
     , Below(tree, x, this->Ball.GetPlace(), collector, count)
@@ -47,9 +47,9 @@ public:
       this->Below.ScanLeaf(0, static_cast<PointIndex>(this->Nodes.GetNumberOfPoints()));
       return;
     }
-    if (Collector::HasFixedBall || this->Points.GetBound2() < Infinity)
+    if (Collector::HasFixedBall || this->Found.GetBound2() < Infinity)
     {
-      const double reach = this->Ball.GetReach(this->Points.GetBound2());
+      const double reach = this->Ball.GetReach(this->Found.GetBound2());
       if (this->Free.Holds(this->Ball, reach))
       {
         return;
@@ -105,11 +105,11 @@ private:
     const unsigned octant = leaf.Key.GetOctant();
     int depth = leaf.Key.GetDepth();
     // Often searched next; loaded while the search waits for the block and the leaf.
-    this->Below.AskForBoxes(block);
+    this->Below.PrefetchBoxes(block);
     if (parent.FirstPoint[octant + 1] - parent.FirstPoint[octant] >= wanted)
     {
       this->Below.ScanChild(parent, octant);
-      if (this->Ball.FitsInCell(depth, this->Points.GetBound2()))
+      if (this->Ball.FitsInCell(depth, this->Found.GetBound2()))
       {
         return;
       }
@@ -126,7 +126,7 @@ private:
     this->Below.SearchBlock(block, this->Ball.GetHome(), depth);
     if (depth > 0)
     {
-      this->Ball.SetRadius2(this->Points.GetBound2());
+      this->Ball.SetRadius2(this->Found.GetBound2());
       if (this->Ball.GetDepth() < depth)
       {
         this->Below.LeaveOutBlock(block);
@@ -236,7 +236,7 @@ private:
   const StartDepths<Dim>& Starts;
   const FreeSpace<Dim>& Free;
   const Octree<Dim>& Nodes;
-  Collector& Points;
+  Collector& Found;
   Count& Examined;
   BallInGrid<Dim> Ball;
   PointDescent<Dim, Real, Collector, Count> Below;

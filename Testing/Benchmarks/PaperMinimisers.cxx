@@ -35,7 +35,7 @@ MinimiserComparison CompareMinimisers(std::size_t histograms)
   for (; comparison.Histograms < histograms; ++comparison.Histograms)
   {
     const DepthHistogram histogram = MakeOddHistogram(random);
-    const int discrete = hashedoctree::GetCheapestStartDepth(histogram);
+    const int discrete = hashedoctree::GetBestStartDepth(histogram);
     const int median = hashedoctree::GetMedianDepth(histogram);
     const double continuous = hashedoctree::ContinuousCost(histogram).GetMinimiser();
     const bool agree = median == discrete && GetIntegerPart(histogram) == discrete;

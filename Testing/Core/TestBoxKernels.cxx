@@ -68,7 +68,7 @@ protected:
   static unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes,
     const double* steps, float limit, float* dist2)
   {
-    return kernels.ToBoxes(boxes, steps, limit, dist2);
+    return kernels.MeasureBoxes(boxes, steps, limit, dist2);
   }
   static unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes,
     const double* steps, double limit, double* dist2)
@@ -79,7 +79,7 @@ protected:
   static unsigned GetWhole(
     const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, const double* steps, float limit)
   {
-    return kernels.ToWholeBoxes(boxes, steps, limit);
+    return kernels.SelectWholeBoxes(boxes, steps, limit);
   }
   static unsigned GetWhole(
     const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, const double* steps, double limit)
@@ -238,7 +238,7 @@ TYPED_TEST(TestBoxKernels, FarthestCornersAreNeverNearerThanTheyAre)
         [&](const BoxKernels<dim>& kernels)
         {
           constexpr double error = BoxKernels<dim>::template BoxError<float>;
-          const double dist2 = kernels.ToFarthestCorner(boxes, steps, octants);
+          const double dist2 = kernels.MeasureFarthestCorner(boxes, steps, octants);
           ASSERT_GE(dist2 * (1.0 + error), expected);
           ASSERT_LE(dist2, expected * (1.0 + error) + 0.06 * std::sqrt(expected) + 0.01);
         });
@@ -268,7 +268,7 @@ TYPED_TEST(TestBoxKernels, CornersOfTheSmallestBoxesAreNeverNearerThanTheyAre)
       [&](const BoxKernels<dim>& kernels)
       {
         constexpr double error = BoxKernels<dim>::template BoxError<float>;
-        ASSERT_GE(kernels.ToFarthestCorner(boxes, steps, 1U) * (1.0 + error), expected);
+        ASSERT_GE(kernels.MeasureFarthestCorner(boxes, steps, 1U) * (1.0 + error), expected);
       });
   }
 }
@@ -291,9 +291,9 @@ TYPED_TEST(TestBoxKernels, EachIsTheFastestThatTheMachineHas)
   const BoxKernels<dim>& plain = GetPlainBoxKernels<dim>();
   const BoxKernels<dim>& fastest = GetBoxKernels<dim>();
   const bool inSpace = HasAvx2() && dim == 3; // Others fill no vectors.
-  EXPECT_EQ(fastest.ToBoxes != plain.ToBoxes, inSpace);
+  EXPECT_EQ(fastest.MeasureBoxes != plain.MeasureBoxes, inSpace);
   EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, inSpace);
-  EXPECT_EQ(fastest.ToWholeBoxes != plain.ToWholeBoxes, inSpace);
+  EXPECT_EQ(fastest.SelectWholeBoxes != plain.SelectWholeBoxes, inSpace);
   EXPECT_EQ(fastest.ToWholeBoxesFromAfar != plain.ToWholeBoxesFromAfar, inSpace);
-  EXPECT_EQ(fastest.ToFarthestCorner != plain.ToFarthestCorner, inSpace);
+  EXPECT_EQ(fastest.MeasureFarthestCorner != plain.MeasureFarthestCorner, inSpace);
 }

@@ -112,7 +112,7 @@ TEST(TestContinuousCost, FloorOfTheMinimiserIsTheMedian)
     const double minimiser = cost.GetMinimiser();
     ASSERT_NEAR(cost.GetDistribution(minimiser), 0.5, 1e-9);
     ASSERT_EQ(static_cast<int>(std::floor(minimiser)), GetMedianDepth(histogram));
-    ASSERT_EQ(GetCheapestStartDepth(histogram), GetMedianDepth(histogram));
+    ASSERT_EQ(GetBestStartDepth(histogram), GetMedianDepth(histogram));
     wronglyRounded += std::lround(minimiser) != GetMedianDepth(histogram) ? 1 : 0;
   }
   EXPECT_GT(wronglyRounded, 500);

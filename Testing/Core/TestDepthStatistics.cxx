@@ -26,7 +26,7 @@ TEST(TestDepthStatistics, NoWeight)
     EXPECT_EQ(GetMeanCost(histogram, 1), 0.0);
     EXPECT_EQ(GetMedianDepth(histogram), 0);
     EXPECT_EQ(GetMeanDepth(histogram), 0);
-    EXPECT_EQ(GetCheapestStartDepth(histogram), 0);
+    EXPECT_EQ(GetBestStartDepth(histogram), 0);
   }
 }
 
@@ -77,7 +77,7 @@ TEST(TestDepthStatistics, MedianCostsTheLeast)
   {
     DepthHistogram histogram = MakeRandomHistogram(random, 1 + random() % 22);
     histogram.back() += 1;
-    const int cheapest = GetCheapestStartDepth(histogram);
+    const int cheapest = GetBestStartDepth(histogram);
     for (int depth = 0; depth < 30; ++depth)
     {
       ASSERT_LE(GetMeanCost(histogram, cheapest), GetMeanCost(histogram, depth));
@@ -93,7 +93,7 @@ TEST(TestDepthStatistics, MedianOfTheGridModelCostsTheLeast)
     10, 7, 2, 7, 3, 3, 3, 4 };
   const DepthHistogram histogram = GetDepthHistogram({ leaves, {}, {} }, FrequencyModel::Grid, 2);
   EXPECT_EQ(GetMedianDepth(histogram), 1);
-  EXPECT_EQ(GetCheapestStartDepth(histogram), 1);
+  EXPECT_EQ(GetBestStartDepth(histogram), 1);
 }
 
 TEST(TestDepthStatistics, FrequencyModels)

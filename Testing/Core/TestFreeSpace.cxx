@@ -38,13 +38,14 @@ TYPED_TEST_SUITE(TestFreeSpace, Dimensions);
 TYPED_TEST(TestFreeSpace, HoldsTheBallsThatReachNoCellWithPoints)
 {
   constexpr int dim = TypeParam::value;
-  constexpr int size = 1 << FreeSpace<dim>::MaxDepth;
+  constexpr int size = 1 << FreeSpace<dim>::MaxCoarseDepth;
   // A dense spot, and a single point in two corners of the unit cube.
   std::vector<double> coordinates = MakeUniformPoints<dim, double>(1U << 16, 181, 0.3, 0.3 + 1e-6);
   coordinates.insert(coordinates.end(), dim, 0.0);
   coordinates.insert(coordinates.end(), dim, 1.0);
   const auto tree = TestFixture::MakeTree(coordinates, 48);
-  ASSERT_EQ(tree.GetFreeSpace().GetBytes(), std::size_t(1) << (dim * FreeSpace<dim>::MaxDepth));
+  ASSERT_EQ(
+    tree.GetFreeSpace().GetBytes(), std::size_t(1) << (dim * FreeSpace<dim>::MaxCoarseDepth));
 
   for (std::size_t number = 0; number < tree.GetFreeSpace().GetBytes(); ++number)
   {
@@ -52,7 +53,7 @@ TYPED_TEST(TestFreeSpace, HoldsTheBallsThatReachNoCellWithPoints)
     int cells[3] = { 0, 0, 0 };
     for (int axis = 0; axis < dim; ++axis)
     {
-      const int cell = static_cast<int>(number >> (axis * FreeSpace<dim>::MaxDepth)) % size;
+      const int cell = static_cast<int>(number >> (axis * FreeSpace<dim>::MaxCoarseDepth)) % size;
       center[axis] = (cell + 0.5) / size;
       cells[0] = std::max(cells[0], cell);
       cells[1] = std::max(cells[1], size - 1 - cell);

@@ -49,7 +49,7 @@ protected:
     constexpr int startDepth = 2;
     RangeCount<Dim> count;
     ReachCells(
-      tree, cells, startDepth, EmptyOctants::Leaves, count,
+      tree, cells, startDepth, count, EmptyOctants::Leaves,
       [&](unsigned corner, Key key, const auto& entry)
       {
         EXPECT_EQ(corner & ~cells.GetAxesApart(), 0U);
@@ -107,7 +107,7 @@ TEST(TestNeighborCellsFacts, EmptyCellsOfASparseTreeAreNoLeaves)
   std::vector<std::uint64_t> leaves;
   RangeCount<2> count;
   ReachCells(
-    made.Tree, cells, 0, EmptyOctants::Missing, count,
+    made.Tree, cells, 0, count, EmptyOctants::Missing,
     [](unsigned, MortonKey<2>, const auto&) { ADD_FAILURE(); },
     [&leaves](const FoundLeaf<2>& leaf) { leaves.push_back(leaf.Key.GetValue()); });
   EXPECT_EQ(leaves, (std::vector<std::uint64_t>{ 0b100, 0b111 }));

@@ -63,7 +63,7 @@ TYPED_TEST(TestNodeBall, CellsMeetTheBallWithTheirNearestPoints)
     ASSERT_EQ(ball.ReachesBorder(), radius >= std::ldexp(2.0, -depth));
     typename NodeBall<dim>::Corner parent;
     ball.GetLower(other.GetParent().GetCell(), other.GetDepth() - 1, parent);
-    const double size = NodeBall<dim>::GetSize(other.GetDepth());
+    const double size = NodeBall<dim>::GetSide(other.GetDepth());
     const std::uint32_t octants = ball.GetMeetingOctants(PlainMachine(), parent, size);
     ASSERT_EQ((octants >> other.GetOctant() & 1U) != 0, expected);
 #if defined(__x86_64__)

@@ -38,7 +38,7 @@ protected:
       points.reserve(points.size() + Kernels::Padding); // No more, for the address sanitizer.
       points.insert(points.end(), Kernels::Padding, static_cast<Real>(x[Dim - 1]));
       std::vector<double> dist2(Kernels::MostPoints, -1.0);
-      const double least = kernels.ToPoints(points.data(), stride, count, x, dist2.data());
+      const double least = kernels.MeasurePoints(points.data(), stride, count, x, dist2.data());
       double expectedLeast = Infinity;
       for (std::size_t i = 0; i < count; ++i)
       {
@@ -57,7 +57,7 @@ protected:
       {
         std::vector<double> again(Kernels::MostPoints, -1.0);
         const std::uint64_t within =
-          kernels.ToPointsWithin(points.data(), stride, count, x, limit, again.data());
+          kernels.MeasurePointsWithin(points.data(), stride, count, x, limit, again.data());
         ASSERT_EQ(within, kernels.Select(dist2.data(), count, limit));
         ASSERT_TRUE(std::equal(dist2.begin(), dist2.begin() + count, again.begin()));
         ExpectInfinityBehind(again, count);
@@ -94,7 +94,7 @@ TYPED_TEST(TestPointKernels, SelectedAreThoseWithinTheLimit)
     std::vector<float> points = MakeUniformPoints<dim, float>(count, 134);
     points.insert(points.end(), Kernels::Padding, 0.5F);
     std::vector<double> dist2(Kernels::MostPoints);
-    GetPointKernels<dim, float>().ToPoints(points.data(), count, count, x, dist2.data());
+    GetPointKernels<dim, float>().MeasurePoints(points.data(), count, count, x, dist2.data());
     for (const double limit : { dist2[count / 2], 0.0, TestFixture::Infinity })
     {
       TestFixture::template ForAllKernels<float>(
@@ -148,8 +148,8 @@ TYPED_TEST(TestPointKernels, EachIsTheFastestThatTheMachineHas)
   constexpr int dim = TestFixture::Dim;
   const PointKernels<dim, float>& plain = GetPlainPointKernels<dim, float>();
   const PointKernels<dim, float>& fastest = GetPointKernels<dim, float>();
-  EXPECT_EQ(fastest.ToPoints != plain.ToPoints, HasAvx2());
-  EXPECT_EQ(fastest.ToPointsWithin != plain.ToPointsWithin, HasAvx2());
+  EXPECT_EQ(fastest.MeasurePoints != plain.MeasurePoints, HasAvx2());
+  EXPECT_EQ(fastest.MeasurePointsWithin != plain.MeasurePointsWithin, HasAvx2());
   EXPECT_EQ(fastest.Select != plain.Select, HasAvx2());
   EXPECT_EQ(fastest.CopySelected != plain.CopySelected, HasAvx2() && sizeof(PointIndex) == 4);
 }

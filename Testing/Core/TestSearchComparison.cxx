@@ -67,8 +67,7 @@ TYPED_TEST(TestSearchComparison, EachSearchStartsWhereItsModelSays)
       EXPECT_EQ(comparison.GetStartDepth(Comparison::Local), -1);
       EXPECT_EQ(comparison.GetStartDepth(Comparison::DecisionTree),
         DepthDecisionTree(histogram).GetRootDepth());
-      EXPECT_EQ(
-        comparison.GetStartDepth(Comparison::BestForQueries), GetCheapestStartDepth(queries));
+      EXPECT_EQ(comparison.GetStartDepth(Comparison::BestForQueries), GetBestStartDepth(queries));
       for (const auto model : { StartDepthModel::Median, StartDepthModel::Mean })
       {
         const auto other = MakeComparison<dim>(made.Tree, { model, frequency, 5 }, queries);

@@ -23,7 +23,7 @@ inline int GetExpectedStartDepth(
   switch (filter->GetStartDepthModel())
   {
     case vtkHashedOctreeFilter::Median:
-      return expected.GetCheapestStartDepth(weight);
+      return expected.GetBestStartDepth(weight);
     case vtkHashedOctreeFilter::Mean:
       return static_cast<int>(std::floor(expected.GetMeanDepth(weight) + 0.5L));
     case vtkHashedOctreeFilter::Root:

@@ -116,7 +116,7 @@ public:
   }
 
   /** The start depth that costs the least, the smallest of equals; found by trying all. */
-  int GetCheapestStartDepth(Weight weight) const
+  int GetBestStartDepth(Weight weight) const
   {
     int cheapest = 0;
     for (int depth = 1; depth <= this->GetDeepestDepth(); ++depth)

@@ -2,7 +2,7 @@
 #ifndef Testing_Fuzz_FuzzPoints_h
 #define Testing_Fuzz_FuzzPoints_h
 
-#include "PointSelection.h"
+#include "PointSpan.h"
 
 #include <cstdint>
 #include <limits>

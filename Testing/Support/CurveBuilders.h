@@ -146,7 +146,7 @@ struct CurveBuilders
 private:
   void Build(const hashedoctree::Octree<Dim>& whole)
   {
-    const std::size_t overlap = Division::CountOverlap(whole.GetOptions().MaxPointsPerLeaf);
+    const std::size_t overlap = Division::GetOverlapSize(whole.GetOptions().MaxPointsPerLeaf);
     std::vector<std::uint64_t> points;
     for (const CurveKeys<Dim>& keys : this->Own)
     {

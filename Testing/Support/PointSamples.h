@@ -2,7 +2,7 @@
 #ifndef Testing_Support_PointSamples_h
 #define Testing_Support_PointSamples_h
 
-#include "PointSelection.h"
+#include "PointSpan.h"
 
 #include <algorithm>
 #include <cmath>
