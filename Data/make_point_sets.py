@@ -8,6 +8,7 @@ first. --quick leaves out the sets above 150,000 points. Each set has a seed of 
 """
 import hashlib
 import os
+import signal
 import sys
 import zlib
 
@@ -76,7 +77,8 @@ def gather(rng, count, points):
     details = points[rng.integers(0, len(points), 4)]
     distance2 = ((points[:, None] - details) ** 2).sum(axis=2).min(axis=1)
     weights = (distance2 + 0.003) ** -1.5
-    return rng.choice(len(points), count, replace=False, p=weights / weights.sum())
+    # As rng.choice() without replacement, which would draw anew as often as the rounding of the weights has it.
+    return np.argpartition(rng.standard_exponential(len(points)) / weights, count)[:count]
 
 
 def scan(rng, count, field, spare=1):
@@ -190,7 +192,7 @@ def write(points, path):
     try:
         points.astype("<f4").tofile(partial)
         os.replace(partial, path)
-    finally: # also after Ctrl-C
+    finally:  # also after Ctrl-C and SIGTERM
         if os.path.exists(partial):
             os.remove(partial)
 
@@ -217,6 +219,7 @@ def main(arguments):
     folders = [a for a in arguments if a != "--quick"]
     if len(folders) != 1 or folders[0].startswith("-"):
         sys.exit("make_point_sets: usage: /usr/bin/python3 make_point_sets.py FOLDER [--quick]")
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
     try:
         os.makedirs(folders[0], exist_ok=True)
         remove_outdated(folders[0])

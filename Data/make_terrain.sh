@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Makes the terrain where it is not there yet (see Data/README.md).
+# Makes the terrain where it is not there yet, or older than its script (see Data/README.md).
 #   Data/make_terrain.sh PYTHON OUT.vtp     PYTHON knows VTK: pvpython, or python3 with Debian's python3-vtk9
 set -euo pipefail
 
@@ -16,7 +16,7 @@ python="$1"
 file="$2"
 log="${file%.vtp}.log"
 
-[[ ! -f "$file" ]] || exit 0
+[[ ! -f "$file" || "$root/Data/make_terrain.py" -nt "$file" ]] || exit 0
 mkdir -p "$(dirname -- "$file")"
 echo "Making $file"
 "$python" "$root/Data/make_terrain.py" "$file" >"$log" 2>&1 ||

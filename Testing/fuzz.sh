@@ -11,7 +11,7 @@ root="$(dirname -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")")"
 build="$root/build/fuzz"
 
 seconds=60
-if [[ "${1:-}" =~ ^[0-9]+$ ]]; then
+if [[ "${1:-}" =~ ^[1-9][0-9]*$ ]]; then
   seconds="$1"
   shift
 fi

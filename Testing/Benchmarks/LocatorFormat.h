@@ -9,7 +9,7 @@
 
 namespace locator_benchmark
 {
-/** Two or three digits; a dash for what was not measured. */
+/** Two or three digits, from a thousand on all of them; a dash for what was not measured. */
 inline std::string FormatNumber(double number)
 {
   if (std::isnan(number))

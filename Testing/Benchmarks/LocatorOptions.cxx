@@ -103,6 +103,21 @@ std::vector<Operation> ReadOperations(const std::string& option, const std::stri
   return operations;
 }
 
+/** Google Benchmark's own, but for those under which it measures nothing, or keeps it from us. */
+void CheckOther(const std::string& name)
+{
+  for (const std::string refused :
+    { "--benchmark_list_tests", "--benchmark_report_aggregates_only", "--benchmark_out" })
+  {
+    if (name == refused)
+    {
+      throw std::runtime_error(name +
+        " would leave locator.md empty, or --benchmark_out's file "
+        "incomplete; the times are in locator.json");
+    }
+  }
+}
+
 /** The terrain may come last; that its file is missing should be said at once. */
 void CheckTerrain(const LocatorOptions& options)
 {
@@ -123,7 +138,7 @@ std::map<std::string, Setter> MakeSetters()
   std::map<std::string, Setter> setters;
   setters["--data"] = [](LocatorOptions& options, const std::string& value)
   { options.Data = ReadNames("--data", value, GetSampleNames()); };
-  // Fewer points could not fill an answer of 32; more than a float tells apart help nobody.
+  // Fewer points could not fill the largest answers; more than a float tells apart help nobody.
   setters["--sizes"] = [](LocatorOptions& options, const std::string& value)
   { options.Sizes = ReadCounts<std::size_t>("--sizes", value, 1000, 100000000); };
   setters["--queries"] = [](LocatorOptions& options, const std::string& value)
@@ -157,6 +172,7 @@ LocatorOptions ReadOptions(const std::vector<std::string>& arguments)
     options.HelpWanted = options.HelpWanted || name == "--help";
     if (setter == setters.end())
     {
+      CheckOther(name);
       options.Others.push_back(arguments[i]);
     }
     else if (equals != std::string::npos)
@@ -216,7 +232,8 @@ std::string GetHelp()
     "  --repetition-time S     seconds after which a repetition stops counting; default 0.04\n"
     "  --terrain FILE          that Data/make_terrain.py wrote; for the data set terrain\n"
     "  --output DIRECTORY      default: the current one\n"
-    "A list has commas and no blanks; without one of peers, all. Google Benchmark's options work "
-    "too:\n";
+    "A list has commas and no blanks; of peers it is all of them by default. Google Benchmark's "
+    "options work, too, but for --benchmark_list_tests, --benchmark_out and "
+    "--benchmark_report_aggregates_only:\n";
 }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatorQueries.h"
 
+#include "Median.h"
 #include "Octree.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace
 {
 using Random = std::mt19937_64;
 
-/** The closest point but `rank`, counted from 0. */
+/** The distance to the closest point but `rank`. */
 double GetDistance(const LocatorData& data, LocatorPeer& locator, const Position& x, int rank)
 {
   Answer answer;
@@ -74,10 +75,8 @@ double MakeRadius(
   {
     distances.push_back(GetDistance(data, locator, positions[i], 29));
   }
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
   // A little more, so that no point lies on it: nanoflann's radius is exclusive, VTK's inclusive.
-  return *middle * (1.0 + 1e-6);
+  return GetMedian(distances) * (1.0 + 1e-6);
 }
 }
 

@@ -10,7 +10,7 @@ namespace locator_benchmark
 struct LocatorQueries
 {
   /** Points of the data, in random order, moved by about half the distance to their nearest
-   * neighbours. */
+   * neighbours; where these are at the same place, as among duplicates, not at all. */
   std::vector<Position> Near;
   /** Uniform in the box of the points, in random order. */
   std::vector<Position> Uniform;

@@ -60,10 +60,11 @@ void WriteHeads(std::ostream& out, const std::string& first, const std::vector<s
 void WriteTimes(std::ostream& out, const LocatorOptions& options, const LocatorResults& results)
 {
   out << "# Point locators\n\n"
-         "Median times of "
+         "Times for one query or one build of the locator \""
       << options.Peers[0]
-      << ", each for one query or one build, then how many times as long the others take. Each "
-         "repetition of builds begins with one that does not count. VTK is "
+      << "\", medians of the repetitions, then how many times as long the others take. Each "
+         "repetition of builds begins with one that does not count. Hits are the mean of the "
+         "positions whose answers are checked. VTK is "
       << vtkVersion::GetVTKVersion() << ".\n\n";
   for (const std::string& peer : options.Peers)
   {

@@ -40,12 +40,13 @@ void WriteConditions(std::ostream& out, const std::vector<PaperResults>& sets, i
       << " threads, of which one is used; the paper's: Pentium IV, 3 GHz\n- Compiler: "
       << HASHEDOCTREE_COMPILER << "\n- Times: medians of " << repetitions
       << " repetitions, structures in turns, each repeated for at least "
-      << 1e3 * SecondsOfMeasurement << " ms, and runs of at most " << MostWarmedSearches / 1000
-      << " thousand searches after 1 to " << MostWarmingRuns << " that are not measured, of "
-      << WarmingSearches / 1000
-      << " thousand in all if possible; after ~ their spread, which is the width of the middle "
-         "half of the "
-         "repetitions in percent of the median\n- Trees: one point per leaf to depth 21, empty "
+      << 1e3 * SecondsOfMeasurement << " ms; runs of at most " << MostWarmedSearches / 1000
+      << " thousand searches are done 1 to " << MostWarmingRuns
+      << " times before they are measured, until " << WarmingSearches / 1000
+      << " thousand searches are done or " << 1e3 * MostSecondsOfWarming
+      << " ms are over; after ~ their spread, which is the width of the middle half of the "
+         "repetitions, of fewer than five all, in percent of the median\n- Trees: one point per "
+         "leaf to depth 21, empty "
          "leaves are nodes; all structures have the same leaves\n- Point sets: made by "
          "Data/make_point_sets.py as stand-ins for the paper's, see Data/README.md; the points "
          "are in random order there\n";
@@ -60,7 +61,8 @@ void WriteConditions(std::ostream& out, const std::vector<PaperResults>& sets, i
     << "- Answers: " << different << " of " << checked
     << " that were compared differ: in each structure the leaves of up to " << CheckedLeaves
     << " points and the neighbours of " << CheckedNeighborhoods
-    << " leaves of each set, by both searches, and some of each table\n\nAll structures have their "
+    << " leaves of each set, by both searches, and in the other tables the sums of what searches "
+       "find\n\nAll structures have their "
        "memory in large pages. The trees with pointers come from a pool, siblings side by side; "
        "pointers have 8 bytes (the paper's 4). \"Paper\" is its own layout: every node in a table "
        "of 2^21 slots with chains, hashed by the 21 low bits of its key; \"mixing hash\" is the "

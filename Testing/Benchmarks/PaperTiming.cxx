@@ -56,9 +56,10 @@ std::vector<Spread> TimeInTurns(
     {
       run = [before, once = std::move(run)]
       {
-        for (std::size_t i = 0; i < before; ++i)
+        double seconds = 0.0;
+        for (std::size_t i = 0; i < before && seconds < MostSecondsOfWarming; ++i)
         {
-          once();
+          seconds += once();
         }
         return once();
       };

@@ -51,9 +51,11 @@ constexpr std::size_t MostWarmedSearches = 1000000;
  * them for a third. */
 constexpr std::size_t WarmingSearches = 100000;
 constexpr std::size_t MostWarmingRuns = 10;
+/** After so long they are warm, too: few, but long searches. */
+constexpr double MostSecondsOfWarming = 0.02;
 
 /** Of at least one time. The middle half is from the quarter of the times that are below it,
- * rounded down, to as many above it: of five, the second to the fourth. */
+ * rounded down, to as many above it: of five, the second to the fourth, of fewer all. */
 Spread GetSpread(std::vector<double> times);
 
 /** Does all runs in turns, again and again, so that a machine that changes its speed slows them all

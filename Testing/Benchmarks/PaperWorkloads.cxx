@@ -74,7 +74,7 @@ double TimeKeys(const std::vector<Key>& keys, const Find& find, std::uint64_t& s
 void MeasureWorkloads(
   const PaperTrees& trees, const std::vector<float>& points, int repetitions, PaperResults& results)
 {
-  for (std::size_t row = 0; row < 3; ++row)
+  for (std::size_t row = 0; row < NumberOfModels; ++row)
   {
     const std::vector<Key> keys = row == 0 ? MakePointKeys(trees.Ours, points)
       : row == 1                           ? MakeLeafKeys(trees.Ours)
@@ -97,7 +97,7 @@ void MeasureWorkloads(
     ++results.CheckedAnswers;
     const bool agree = std::equal(sums.begin() + 1, sums.end(), sums.begin());
     results.DifferentAnswers += agree ? 0 : 1;
-    for (std::size_t model = 0; model < 3; ++model)
+    for (std::size_t model = 0; model < NumberOfModels; ++model)
     {
       results.PaperWorkloads[row][model] = times[2 * model];
       results.OurWorkloads[row][model] = times[2 * model + 1];

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,7 @@
  * Collects the real time of every repetition of benchmarks named "subject/data" and prints, after
  * Google Benchmark's own table, one Markdown row per data set: the median time of each subject in
  * milliseconds, its spread (largest less smallest, in percent of the median), and how many times
- * the median of the first subject it is.
+ * the median of the first subject, in the order of registration, it is.
  */
 class RatioReporter : public benchmark::ConsoleReporter
 {
@@ -41,7 +40,9 @@ public:
   void Finalize() override
   {
     ConsoleReporter::Finalize();
-    std::printf("\n| data |");
+    std::printf(
+      "\nMedian times (their spread), and how many times those of %s they are.\n\n| data |",
+      this->Subjects.empty() ? "none" : this->Subjects.front().c_str());
     for (const std::string& subject : this->Subjects)
     {
       std::printf(" %s |", subject.c_str());
@@ -54,7 +55,7 @@ public:
     for (const std::string& data : this->DataSets)
     {
       std::printf("\n| %s |", data.c_str());
-      const double base = GetMedian(this->Times[{ *this->Subjects.begin(), data }]);
+      const double base = GetMedian(this->Times[{ this->Subjects.front(), data }]);
       for (const std::string& subject : this->Subjects)
       {
         const std::vector<double>& times = this->Times[{ subject, data }];
@@ -72,19 +73,28 @@ public:
 private:
   void Add(const std::string& subject, const std::string& data, double milliseconds)
   {
-    this->Subjects.insert(subject);
-    this->DataSets.insert(data);
+    AddOnce(subject, this->Subjects);
+    AddOnce(data, this->DataSets);
     this->Times[{ subject, data }].push_back(milliseconds);
   }
 
-  std::set<std::string> Subjects;
-  std::set<std::string> DataSets;
+  static void AddOnce(const std::string& name, std::vector<std::string>& names)
+  {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+    {
+      names.push_back(name);
+    }
+  }
+
+  std::vector<std::string> Subjects;
+  std::vector<std::string> DataSets;
   std::map<std::pair<std::string, std::string>, std::vector<double>> Times;
   bool Failed = false;
 };
 
 /** Runs the registered benchmarks: repetitions in random order, so that a machine that changes its
- * speed slows all subjects alike. Returns the exit code. */
+ * speed slows all subjects alike. Returns the exit code: 1 for errors, 2 where the arguments are
+ * wrong or leave nothing to measure. */
 inline int RunInTurns(int argc, char** argv)
 {
   std::vector<std::string> defaults{ argv[0], "--benchmark_repetitions=5",
@@ -98,12 +108,12 @@ inline int RunInTurns(int argc, char** argv)
   }
   int count = static_cast<int>(arguments.size());
   benchmark::Initialize(&count, arguments.data());
-  if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
-  {
-    return 1;
-  }
   RatioReporter reporter;
-  benchmark::RunSpecifiedBenchmarks(&reporter);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data()) ||
+    benchmark::RunSpecifiedBenchmarks(&reporter) == 0)
+  {
+    return 2;
+  }
   return reporter.HasFailed() ? 1 : 0;
 }
 

@@ -59,21 +59,34 @@ TEST(TestPaperTiming, RunsTakeTurnsAndTimesAreForOneSearch)
 
 TEST(TestPaperTiming, FewSearchesAreDoneBeforeTheyAreMeasured)
 {
-  const auto time = [](std::size_t searches)
+  // Run k takes k microseconds more than a measurement must, ten times which warming may take.
+  const auto getTime = [](int k) { return SecondsOfMeasurement + 1e-6 * k; };
+  const auto time = [&getTime](std::size_t searches)
   {
-    double seconds = 10.0;
-    return TimeInTurns({ [] { return 1.0; }, [&seconds] { return seconds++; } }, searches, 3);
+    int k = 10;
+    const auto spreads =
+      TimeInTurns({ [&] { return getTime(0); }, [&] { return getTime(k++); } }, searches, 3);
+    EXPECT_NEAR(spreads[0].Median * static_cast<double>(searches), getTime(0), 1e-9);
+    return spreads[1].Median * static_cast<double>(searches);
   };
-  const auto few = time(MostWarmedSearches);
-  ASSERT_EQ(few.size(), 2U);
-  EXPECT_DOUBLE_EQ(few[0].Median * MostWarmedSearches, 1.0);
-  EXPECT_DOUBLE_EQ(few[1].Median * MostWarmedSearches, 13.0); // Of 11, 13 and 15.
-  EXPECT_DOUBLE_EQ(time(MostWarmedSearches + 1)[1].Median * (MostWarmedSearches + 1), 11.0);
+  EXPECT_NEAR(time(MostWarmedSearches), getTime(13), 1e-9); // Of 11, 13 and 15.
+  EXPECT_NEAR(time(MostWarmedSearches + 1), getTime(11), 1e-9);
   // Five times before: of 15, 21 and 27.
-  constexpr std::size_t fifth = WarmingSearches / 5;
-  EXPECT_DOUBLE_EQ(time(fifth)[1].Median * fifth, 21.0);
+  EXPECT_NEAR(time(WarmingSearches / 5), getTime(21), 1e-9);
   // Ten times before: of 20, 31 and 42.
-  EXPECT_DOUBLE_EQ(time(1)[1].Median, 31.0);
+  EXPECT_NEAR(time(1), getTime(31), 1e-9);
+}
+
+TEST(TestPaperTiming, LongSearchesAreWarmAfterOneRun)
+{
+  int runs = 0;
+  TimeInTurns({ [&runs]
+                {
+                  ++runs;
+                  return MostSecondsOfWarming;
+                } },
+    1, 3);
+  EXPECT_EQ(runs, 3 * 2);
 }
 
 TEST(TestPaperTiming, ShortRunsAreRepeated)
