@@ -7,7 +7,7 @@
 #   Testing/bench.sh locator [arguments]     writes build/bench/locator.md, .json and pictures;
 #                                            locator --help lists its arguments
 #   Testing/bench.sh paper [--quick] [arguments]   the paper's Tables 1 to 3, its claims and figures, in
-#                                            build/bench/paper.md; 25 minutes, --quick a few; --help as above
+#                                            build/bench/paper.md; 25 minutes, --quick three; --help as above
 #   Testing/bench.sh --vtk build|locator [arguments]   these two beside Debian's own VTK (libvtk9-dev), which
 #                                            is compiled with optimisation, while that in Debian's ParaView
 #                                            is not; on a machine without ParaView, in build/vtk

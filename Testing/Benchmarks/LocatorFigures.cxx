@@ -23,16 +23,11 @@ public:
   {
   }
 
-  void WriteHead()
+  void WritePeers()
   {
-    std::string rule = "|---|";
-    this->Out << "| figure |";
-    for (const std::string& peer : this->Options.Peers)
-    {
-      this->Out << " " << peer << " |";
-      rule += "---|";
-    }
-    this->Out << "\n" << rule << "\n";
+    std::vector<std::string> cells{ "figure" };
+    cells.insert(cells.end(), this->Options.Peers.begin(), this->Options.Peers.end());
+    WriteHead(this->Out, cells);
   }
 
   void WriteGrowth()
@@ -55,7 +50,7 @@ public:
     this->WriteComparison(title + "1 thread / ours", one);
     this->WriteComparison(title + "2 threads / ours", two);
     this->WriteRatios(title + "1 thread / on 2 threads", one, two);
-    this->WriteRow(title + "1 thread / on 2 threads, of arithmetic alone after each",
+    this->WriteFigure(title + "1 thread / on 2 threads, of arithmetic alone after each",
       [&](const std::string& peer)
       { return this->Results.GetCounter(two.WithPeer(peer), "gain_of_threads"); });
   }
@@ -80,26 +75,26 @@ public:
 
   void WriteMemory(const std::string& data)
   {
-    this->WriteRow(
+    this->WriteFigure(
       "bytes of the index per point, " + data + ", " + std::to_string(this->Largest) + " points",
       [&](const std::string& peer) { return this->GetIndexBytes(data, peer); });
   }
 
 private:
   template <typename Figure>
-  void WriteRow(const std::string& title, const Figure& figure)
+  void WriteFigure(const std::string& title, const Figure& figure)
   {
     bool isMeasured = false;
-    std::string row = "| " + title + " |";
+    std::vector<std::string> cells{ title };
     for (const std::string& peer : this->Options.Peers)
     {
       const double number = figure(peer);
       isMeasured = isMeasured || !std::isnan(number);
-      row.append(" ").append(FormatNumber(number)).append(" |");
+      cells.push_back(FormatNumber(number));
     }
     if (isMeasured)
     {
-      this->Out << row << "\n";
+      WriteRow(this->Out, cells);
     }
   }
 
@@ -107,7 +102,7 @@ private:
   void WriteComparison(const std::string& title, const LocatorCase& which)
   {
     const LocatorCase first = which.WithPeer(this->Options.Peers[0]);
-    this->WriteRow(title,
+    this->WriteFigure(title,
       [&](const std::string& peer)
       { return GetRatio(this->Results, which.WithPeer(peer), first); });
   }
@@ -115,7 +110,7 @@ private:
   /** Of each peer one of its times by another. */
   void WriteRatios(const std::string& title, const LocatorCase& which, const LocatorCase& base)
   {
-    this->WriteRow(title,
+    this->WriteFigure(title,
       [&](const std::string& peer)
       { return GetRatio(this->Results, which.WithPeer(peer), base.WithPeer(peer)); });
   }
@@ -147,7 +142,7 @@ void WriteFigures(std::ostream& out, const LocatorOptions& options, const Locato
   out
     << "\n## Figures\n\nThe bytes of ours hold a copy of the coordinates, 12 per point; nanoflann "
        "has none. VTK's others do not tell theirs.\n\n";
-  figures.WriteHead();
+  figures.WritePeers();
   figures.WriteGrowth();
   for (const std::string& data : options.Data)
   {

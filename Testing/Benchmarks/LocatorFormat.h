@@ -3,27 +3,26 @@
 #define Testing_Benchmarks_LocatorFormat_h
 
 #include "LocatorResults.h"
+#include "MarkdownRows.h"
 
 #include <cmath>
 #include <cstdio>
 
 namespace locator_benchmark
 {
-/** Two or three digits, from a thousand on all of them; a dash for what was not measured. */
+/** As Format(), but two digits of small numbers, and a dash for what was not measured. */
 inline std::string FormatNumber(double number)
 {
   if (std::isnan(number))
   {
     return "-";
   }
-  char text[32];
-  if (number != 0.0 && std::abs(number) < 0.0995)
+  if (number == 0.0 || std::abs(number) >= 0.0995)
   {
-    std::snprintf(text, sizeof(text), "%.2g", number);
-    return text;
+    return Format(number);
   }
-  const int decimals = std::abs(number) < 9.995 ? 2 : std::abs(number) < 99.95 ? 1 : 0;
-  std::snprintf(text, sizeof(text), "%.*f", decimals, number);
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2g", number);
   return text;
 }
 

@@ -40,21 +40,11 @@ std::vector<std::string> GetOthers(const LocatorOptions& options)
   return { options.Peers.begin() + 1, options.Peers.end() };
 }
 
-void WriteHeads(std::ostream& out, const std::string& first, const std::vector<std::string>& others)
+void WriteHeads(std::ostream& out, std::vector<std::string> first, const LocatorOptions& options)
 {
-  out << first;
-  for (const std::string& peer : others)
-  {
-    out << " " << peer << " |";
-  }
-  out << "\n";
-  const auto columns = std::count(first.begin(), first.end(), '|') - 1;
-  out << "|";
-  for (std::size_t i = 0; i < static_cast<std::size_t>(columns) + others.size(); ++i)
-  {
-    out << "---|";
-  }
-  out << "\n";
+  const std::vector<std::string> others = GetOthers(options);
+  first.insert(first.end(), others.begin(), others.end());
+  WriteHead(out, first);
 }
 
 void WriteTimes(std::ostream& out, const LocatorOptions& options, const LocatorResults& results)
@@ -71,20 +61,19 @@ void WriteTimes(std::ostream& out, const LocatorOptions& options, const LocatorR
     out << "- " << peer << ": " << GetPeerKind(peer).Description << "\n";
   }
   out << "\n";
-  const std::vector<std::string> others = GetOthers(options);
-  WriteHeads(out,
-    "| data | points | queries | operation | threads | hits | " + options.Peers[0] + " |", others);
+  WriteHeads(out, { "data", "points", "queries", "operation", "threads", "hits", options.Peers[0] },
+    options);
   for (const LocatorCase& row : MakeRows(options))
   {
     const double hits = row.What == Operation::Radius ? results.GetCounter(row, "mean_hits") : NAN;
-    out << "| " << row.Data << " | " << row.NumberOfPoints << " | " << row.Queries << " | "
-        << GetOperationNames()[static_cast<std::size_t>(row.What)] << " | " << row.Threads << " | "
-        << FormatNumber(hits) << " | " << FormatTime(results.GetSeconds(row)) << " |";
-    for (const std::string& peer : others)
+    std::vector<std::string> cells{ row.Data, std::to_string(row.NumberOfPoints), row.Queries,
+      GetOperationNames()[static_cast<std::size_t>(row.What)], std::to_string(row.Threads),
+      FormatNumber(hits), FormatTime(results.GetSeconds(row)) };
+    for (const std::string& peer : GetOthers(options))
     {
-      out << " " << FormatNumber(GetRatio(results, row.WithPeer(peer), row)) << " |";
+      cells.push_back(FormatNumber(GetRatio(results, row.WithPeer(peer), row)));
     }
-    out << "\n";
+    WriteRow(out, cells);
   }
 }
 
@@ -93,8 +82,8 @@ template <typename Predicate>
 void WriteSummaryRows(std::ostream& out, const LocatorOptions& options,
   const LocatorResults& results, const std::string& title, const Predicate& takesPart)
 {
-  std::string smallest = "| " + title + " | minimum |";
-  std::string mean = "| " + title + " | geometric mean |";
+  std::vector<std::string> smallest{ title, "minimum" };
+  std::vector<std::string> mean{ title, "geometric mean" };
   for (const std::string& peer : GetOthers(options))
   {
     double least = INFINITY;
@@ -110,16 +99,17 @@ void WriteSummaryRows(std::ostream& out, const LocatorOptions& options,
         ++count;
       }
     }
-    smallest += " " + FormatNumber(count > 0 ? least : NAN) + " |";
-    mean += " " + FormatNumber(std::exp(logarithms / count)) + " |";
+    smallest.push_back(FormatNumber(count > 0 ? least : NAN));
+    mean.push_back(FormatNumber(std::exp(logarithms / count)));
   }
-  out << smallest << "\n" << mean << "\n";
+  WriteRow(out, smallest);
+  WriteRow(out, mean);
 }
 
 void WriteSummary(std::ostream& out, const LocatorOptions& options, const LocatorResults& results)
 {
   out << "\n## Ratios\n\n";
-  WriteHeads(out, "| rows | |", GetOthers(options));
+  WriteHeads(out, { "rows", "" }, options);
   WriteSummaryRows(out, options, results, "all", [](const LocatorCase&) { return true; });
   for (const Operation operation : options.Operations)
   {

@@ -3,23 +3,9 @@
 
 #include <cmath>
 #include <cstdio>
-#include <ostream>
 
 namespace paper_benchmark
 {
-std::string Format(double number, int decimals)
-{
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", decimals, number);
-  return text;
-}
-
-std::string Format(double number)
-{
-  const double size = std::abs(number);
-  return Format(number, size < 9.995 ? 2 : size < 99.95 ? 1 : 0);
-}
-
 std::string FormatSmall(double number)
 {
   return std::abs(number) < 0.9995 ? Format(number, 3) : Format(number);
@@ -45,21 +31,5 @@ std::string FormatPrinted(double number)
 std::string FormatBeside(const std::string& ours, const std::string& paper)
 {
   return ours + " (" + paper + ")";
-}
-
-void WriteRow(std::ostream& out, const std::vector<std::string>& cells)
-{
-  out << "|";
-  for (const std::string& cell : cells)
-  {
-    out << " " << cell << " |";
-  }
-  out << "\n";
-}
-
-void WriteHead(std::ostream& out, const std::vector<std::string>& cells)
-{
-  WriteRow(out, cells);
-  WriteRow(out, std::vector<std::string>(cells.size(), "---"));
 }
 }
