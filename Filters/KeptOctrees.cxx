@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "KeptOctrees.h"
 
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 
 #include <algorithm>
@@ -11,10 +12,10 @@ namespace hashedoctree
 {
 vtkMTimeType KeptOctrees::GetTime(vtkPointSet* points)
 {
-  // Not all classes tell of their points.
+  // Not all classes tell of their points, or of the arrays of these, marks among them.
   const vtkMTimeType ofPoints =
     points->GetPoints() != nullptr ? points->GetPoints()->GetMTime() : 0;
-  return std::max(points->GetMTime(), ofPoints);
+  return std::max({ points->GetMTime(), ofPoints, points->GetPointData()->GetMTime() });
 }
 
 KeptOctrees::Pointer KeptOctrees::Find(vtkPointSet* points) const

@@ -5,6 +5,7 @@
 #include "PointSamples.h"
 #include "SameOutputs.h"
 
+#include "vtkDummyController.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
@@ -124,6 +125,22 @@ TEST(TestHashedOctreeFilter, RunsOnceWhereThePointsAreOnAGrid)
   }
 }
 
+TEST(TestHashedOctreeFilter, TellsThePipelineOfNoPlaceOfThePoints)
+{
+  TestedFilter filter(MakeUniformPoints<3, double>(10, 1));
+  vtkInformation* input = filter->GetInputInformation(0, 0);
+  for (auto* place : { vtkDataObject::ORIGIN(), vtkDataObject::SPACING() })
+  {
+    input->Set(place, 1.0, 2.0, 3.0); // As of points that were an image's.
+  }
+  filter->UpdateInformation();
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_FALSE(filter->GetOutputInformation(port)->Has(vtkDataObject::ORIGIN())) << port;
+    EXPECT_FALSE(filter->GetOutputInformation(port)->Has(vtkDataObject::SPACING())) << port;
+  }
+}
+
 TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
 {
   const std::vector<double> points = MakeUniformPoints<3, double>(100, 1);
@@ -138,6 +155,12 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
   // Clamped to what they are.
   filter->SetMaxPointsPerLeaf(0);
   filter->SetDimension(1);
+  // What they are.
+  filter->SetFrequencyModel(filter->GetFrequencyModel());
+  filter->SetStartDepthModel(filter->GetStartDepthModel());
+  filter->SetFixedStartDepth(filter->GetFixedStartDepth());
+  filter->SetIncludeEmptyLeaves(filter->GetIncludeEmptyLeaves());
+  filter->SetController(filter->GetController());
   filter.Update();
   EXPECT_EQ(filter.Executions, 1);
 
@@ -147,6 +170,9 @@ TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
     filter.Update();
     EXPECT_EQ(filter.Executions, ++executions);
   };
+  vtkNew<vtkDummyController> controller;
+  filter->SetController(controller);
+  expectRun();
   filter->SetPlane(vtkHashedOctreeFilter::XZ);
   expectRun();
   filter->SetDimension(vtkHashedOctreeFilter::Three);

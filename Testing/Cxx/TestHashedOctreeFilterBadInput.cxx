@@ -7,6 +7,7 @@
 #include "Sanitized.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkIntArray.h"
 #include "vtkSMPTools.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -178,11 +179,14 @@ TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreLeftOut)
     EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 420) << marks;
   }
   ghosts->SetNumberOfComponents(2);
-  ghosts->SetNumberOfTuples(210); // As many values as points.
-  ghosts->FillValue(vtkDataSetAttributes::DUPLICATEPOINT);
-  filter->Modified();
-  filter.Update();
-  EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 420);
+  for (const int marks : { 210, 420 }) // As many values as points, or tuples.
+  {
+    ghosts->SetNumberOfTuples(marks);
+    ghosts->FillValue(vtkDataSetAttributes::DUPLICATEPOINT);
+    filter->Modified();
+    filter.Update();
+    EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 420) << marks;
+  }
 }
 
 TEST(TestHashedOctreeFilterBadInput, PointsWithoutThreeCoordinatesAreAnError)
@@ -212,6 +216,13 @@ TEST(TestHashedOctreeFilterBadInput, CornersOfCellsOfAnOctreeAreTakenWithAWarnin
     second.ExpectWarning("corners");
     EXPECT_EQ(second.GetFieldValue("NumberOfPoints"), first.GetCells()->GetNumberOfPoints());
   }
+  const auto others = MakePolyData(MakeUniformPoints<3, double>(50, 52));
+  vtkNew<vtkIntArray> keys;
+  keys->SetName("MortonKey"); // Of whoever.
+  others->GetCellData()->AddArray(keys);
+  TestedFilter filter;
+  filter->SetInputData(others);
+  filter.UpdateSilently();
 }
 
 TEST(TestHashedOctreeFilterBadInput, PointsOfOtherPiecesAreCountedThere)
@@ -271,6 +282,26 @@ TEST(TestHashedOctreeFilterBadInput, CustomBoundsWithoutPointsMakeNothing)
   filter.ExpectWarning("CustomBounds");
   filter.ExpectEmptyOutputs();
   ExpectToWorkAgain(filter);
+}
+
+TEST(TestHashedOctreeFilterBadInput, CustomBoundsWithoutFinitePointsMakeNothing)
+{
+  TestedFilter filter({ 5, 5, 5, NotANumber, 0, 0 });
+  filter->UseCustomBoundsOn();
+  filter.UpdateWithoutErrors();
+  ASSERT_EQ(filter.Warnings.size(), 2U);
+  EXPECT_NE(filter.Warnings[0].find("1 of 2 points"), std::string::npos);
+  EXPECT_NE(filter.Warnings[1].find("CustomBounds"), std::string::npos);
+  filter.ExpectEmptyOutputs();
+}
+
+TEST(TestHashedOctreeFilterBadInput, NoPointsMayHaveAnyComponents)
+{
+  const auto input = MakePolyData({});
+  input->GetPoints()->GetData()->SetNumberOfComponents(2);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.UpdateToNothing();
 }
 
 TEST(TestHashedOctreeFilterBadInput, OnePointIsOneLeaf)

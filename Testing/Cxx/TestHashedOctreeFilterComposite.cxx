@@ -5,12 +5,14 @@
 #include "TestedFilter.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace
 {
@@ -96,6 +98,37 @@ TEST(TestHashedOctreeFilterComposite, BlocksWithoutCoordinatesAloneAreAnError)
   filter.UpdatePiece(0, 0, 2);
   EXPECT_EQ(filter.Errors, std::vector<std::string>()) << "the other piece may have points";
   filter.ExpectWarning("Blocks left out");
+}
+
+TEST(TestHashedOctreeFilterComposite, BlocksWithoutCoordinatesBesidePointsOfAnotherPieceAreNoError)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  const auto points = MakeUniform(3, 50);
+  points->AllocatePointGhostArray()->FillValue(vtkDataSetAttributes::DUPLICATEPOINT);
+  vtkNew<vtkMultiBlockDataSet> input;
+  input->SetBlock(0, image);
+  input->SetBlock(1, points);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.UpdateWithoutErrors();
+  filter.ExpectWarning("Blocks left out");
+}
+
+TEST(TestHashedOctreeFilterComposite, AnErrorInALaterBlockLeavesNone)
+{
+  const auto bad = MakeUniform(30, 59);
+  bad->GetPoints()->GetData()->SetNumberOfComponents(2);
+  vtkNew<vtkMultiBlockDataSet> input;
+  input->SetBlock(0, MakeUniform(30, 58));
+  input->SetBlock(1, bad);
+  TestedFilter filter;
+  filter->SetInputData(input);
+  filter.UpdateExpectingError("three components");
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_EQ(GetOutput<vtkMultiBlockDataSet>(filter, port)->GetNumberOfBlocks(), 0U) << port;
+  }
 }
 
 TEST(TestHashedOctreeFilterComposite, OutputsKeepTheFieldDataOfTheirPoints)
@@ -204,6 +237,7 @@ TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
   input->SetPartition(0, 0, MakePolyData({}));
   input->SetPartition(2, 1, block);
   input->GetMetaData(2U)->Set(vtkCompositeDataSet::NAME(), "third");
+  input->GetPartitionedDataSet(2)->GetMetaData(0U)->Set(vtkCompositeDataSet::NAME(), "own");
   TestedFilter filter;
   filter->SetOutputType(vtkHashedOctreeFilter::Voxels);
   filter->SetInputData(input);
@@ -227,6 +261,7 @@ TEST(TestHashedOctreeFilterComposite, PartitionsOfACollectionHaveTheirTrees)
     ASSERT_EQ(third->GetNumberOfBlocks(), 2U);
     EXPECT_STREQ(third->GetMetaData(1U)->Get(vtkCompositeDataSet::NAME()), "third")
       << "charts tell tables by their names";
+    EXPECT_STREQ(third->GetMetaData(0U)->Get(vtkCompositeDataSet::NAME()), "own");
     EXPECT_FALSE(empty->GetMetaData(0U)->Has(vtkCompositeDataSet::NAME()));
     ExpectSame(third->GetBlock(1), outputs[port]);
   }

@@ -5,6 +5,7 @@
 #include "TestedFilter.h"
 
 #include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <chrono>
@@ -275,6 +276,25 @@ TEST(TestHashedOctreeFilterExecution, AnotherThreadStopsIt)
         filter->SetAbortExecute(0);
       });
   }
+}
+
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230101)
+TEST(TestHashedOctreeFilterExecution, AnAbortOfItsContainerStopsIt)
+{
+  vtkNew<vtkHashedOctreeFilter> container;
+  TestedFilter filter(MakeUniformPoints<3, double>(50, 48));
+  filter->SetContainerAlgorithm(container);
+  container->SetAbortExecute(1);
+  filter.Update();
+  filter.ExpectEmptyOutputs();
+}
+#endif
+
+TEST(TestHashedOctreeFilterExecution, AnyPieceOfNoPort)
+{
+  TestedFilter filter(MakeUniformPoints<3, double>(50, 48));
+  vtkStreamingDemandDrivenPipeline::SafeDownCast(filter->GetExecutive())->Update(-1);
+  EXPECT_GT(filter.GetCells()->GetNumberOfCells(), 0);
 }
 
 TEST(TestHashedOctreeFilterExecution, WhoWantsGhostsChangesNoTree)

@@ -362,9 +362,37 @@ TEST(TestHashedOctreeFilterQuadtrees, CustomBoundsDecideInPlaceOfThePoints)
   const std::vector<double> bounds(
     filter.GetCells()->GetBounds(), filter.GetCells()->GetBounds() + 6);
   EXPECT_EQ(bounds, std::vector<double>({ 0, 1, 0, 1, -3, -3 }));
-
   filter->SetCustomBounds(0, 1, 0, 1, 6, -3);
   filter.UpdateInError("bounds");
+}
+
+TEST(TestHashedOctreeFilterQuadtrees, PointsOnEitherSideOfTheBoundsAreLeftOut)
+{
+  std::vector<double> coordinates;
+  for (const double across : { -7.0, 7.0, Across })
+  {
+    const auto points = PutInSpace(MakeUniformPoints<2, double>(100, 69), AllPlanes[0], across);
+    coordinates.insert(coordinates.end(), points.begin(), points.end());
+  }
+  TestedFilter inside(std::vector<double>(coordinates.end() - 300, coordinates.end()));
+  TestedFilter filter(coordinates);
+  for (TestedFilter* one : { &inside, &filter })
+  {
+    (*one)->SetDimension(Filter::Two);
+    (*one)->SetPlane(Filter::XY);
+    (*one)->UseCustomBoundsOn();
+    (*one)->SetCustomBounds(0, 1, 0, 1, -3, 6);
+  }
+  for (const bool merge : { false, true })
+  {
+    inside->SetMergePoints(merge);
+    inside.Update();
+    filter->SetMergePoints(merge);
+    filter.Update();
+    EXPECT_EQ(filter.GetFieldValue("NumberOfPoints"), 100);
+    EXPECT_EQ(filter.GetFieldValue("OutsidePoints"), 200);
+    ExpectSameArrays(filter.GetCells()->GetCellData(), inside.GetCells()->GetCellData());
+  }
 }
 
 TEST(TestHashedOctreeFilterQuadtrees, WithoutPointsInTheBoundsMakeNothing)

@@ -407,6 +407,36 @@ TEST(TestHashedOctreeLocateFilterComposite, BlocksKeepTheirNamesAndFieldData)
   }
 }
 
+TEST(TestHashedOctreeLocateFilterComposite, BlocksOfQueriesKeepTheStructureOfPointsThatAreNone)
+{
+  const auto points = MakeMultiBlock({ MakePolyData({}), nullptr });
+  const auto queries = MakeMultiBlock({ MakeUniform(10, 397) });
+  TestedLocateFilter filter(points, queries);
+  filter.UpdateSilently();
+  ExpectNested(filter, points, queries);
+}
+
+TEST(TestHashedOctreeLocateFilterComposite, FieldDataOfTheQueriesAreLeftAlone)
+{
+  vtkNew<vtkDoubleArray> time;
+  time->SetName("Time");
+  time->InsertNextValue(3.0);
+  const auto points = MakeUniform(10, 389);
+  points->GetFieldData()->AddArray(time);
+  const Blocks blocks{ MakeUniform(10, 390), MakeUniform(10, 391) };
+  for (const Compose& compose : Kinds)
+  {
+    const auto queries = compose(blocks);
+    TestedLocateFilter filter(points, queries);
+    filter.UpdateSilently();
+    for (int port = 0; port < 2; ++port)
+    {
+      EXPECT_EQ(GetTree(filter, port)->GetFieldData()->GetArray("Time"), time);
+    }
+    EXPECT_EQ(queries->GetFieldData()->GetNumberOfArrays(), 0) << queries->GetClassName();
+  }
+}
+
 TEST(TestHashedOctreeLocateFilterComposite, AnEmptyPieceHasTheStructureOfTheQueries)
 {
   const auto nothing = MakePolyData({});

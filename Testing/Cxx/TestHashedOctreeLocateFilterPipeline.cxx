@@ -85,6 +85,8 @@ protected:
     vtkInformation* own = vtkDataObject::SetActiveAttribute(
       output, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Own", vtkDataSetAttributes::SCALARS);
     own->Set(vtkDataObject::FIELD_ARRAY_TYPE(), VTK_FLOAT);
+    vtkDataObject::SetActiveAttribute(
+      output, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells", vtkDataSetAttributes::SCALARS);
     return 1;
   }
   int RequestData(
@@ -238,6 +240,25 @@ TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineOfTheActiveArray)
   active = getActive(queries->GetOutputInformation(0));
   ASSERT_NE(active, nullptr);
   EXPECT_STREQ(active->Get(vtkDataObject::FIELD_NAME()), "Own");
+}
+
+TEST(TestHashedOctreeLocateFilterPipeline, TellsThePipelineOfTheArraysOfTheQueriesOnly)
+{
+  vtkNew<GridOfExtent> grid;
+  TestedLocateFilter filter;
+  for (const int port : { 1, 0 }) // Nothing is left of what was told before.
+  {
+    filter->SetInputConnection(port, grid->GetOutputPort());
+    filter->SetInputData(1 - port, MakeUniform(50, 364));
+    filter->UpdateInformation();
+    vtkInformation* output = filter->GetOutputInformation(0);
+    EXPECT_EQ(vtkDataObject::GetNamedFieldInformation(
+                output, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Own") != nullptr,
+      port == 1);
+    EXPECT_EQ(vtkDataObject::GetNamedFieldInformation(
+                output, vtkDataObject::FIELD_ASSOCIATION_CELLS, "OfCells") != nullptr,
+      port == 1);
+  }
 }
 
 TEST(TestHashedOctreeLocateFilterPipeline, FollowsTheTimeOfTheQueries)

@@ -3,6 +3,7 @@
 #include "SameOutputs.h"
 #include "TestedNeighborsFilter.h"
 
+#include "vtkDummyController.h"
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,22 @@ TEST(TestHashedOctreeNeighborsFilterBadInput, NoPointsHaveNoNeighbors)
   filter.UpdateWithoutErrors();
   filter.ExpectWarning("1 of 1 points");
   filter.ExpectEmptyOutputs();
+}
+
+TEST(TestHashedOctreeNeighborsFilterBadInput, OtherPiecesMayHaveTheLeafWhateverTheController)
+{
+  vtkNew<vtkDummyController> controller;
+  for (vtkMultiProcessController* one : { static_cast<vtkMultiProcessController*>(nullptr),
+         static_cast<vtkMultiProcessController*>(controller) })
+  {
+    TestedNeighborsFilter filter({ 0, 0, 0, 1, 1, 1 });
+    filter->SetController(one);
+    filter->UseLeafKeyOn();
+    filter->SetLeafKey(64);
+    filter->UpdatePiece(0, 2, 0);
+    EXPECT_EQ(filter.Errors, std::vector<std::string>());
+    filter.ExpectEmptyOutputs();
+  }
 }
 
 TEST(TestHashedOctreeNeighborsFilterBadInput, AnEmptyPieceIsNoError)

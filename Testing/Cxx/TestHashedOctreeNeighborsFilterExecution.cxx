@@ -26,6 +26,9 @@ TEST(TestHashedOctreeNeighborsFilterExecution, RunsAgainWhenSomethingChangedOnly
   filter->SetCenter(coordinates[0], coordinates[1], coordinates[2]);
   filter.Update();
   filter.Update();
+  filter->SetCenter(coordinates[0], coordinates[1], coordinates[2]);
+  filter->SetRadius(filter->GetRadius());
+  filter.Update();
   EXPECT_EQ(filter.Executions, 1);
   int runs = 1;
   const auto expectToRun = [&filter, &runs]

@@ -238,6 +238,9 @@ TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
   TestedLocator nothing(MakePolyData<double>({}));
   ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
     nothing, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
+  TestedLocator withoutPoints(vtkSmartPointer<vtkPolyData>::New()); // No vtkPoints, either.
+  ASSERT_NO_FATAL_FAILURE(ExpectAsOneByOne(
+    withoutPoints, MakeQueries<vtkDoubleArray>(MakeUniformPoints<3, float>(20, 183), 20)));
   TestedLocator locator(MakeUniform(30, 182));
   vtkNew<vtkDoubleArray> queries;
   queries->SetNumberOfComponents(3);
@@ -246,8 +249,11 @@ TEST(TestHashedOctreePointLocatorBatches, WithoutPointsOrQueries)
   EXPECT_TRUE(locator->FindClosestNPoints(1000000, queries, outputs.Ids, outputs.Dist2));
   EXPECT_TRUE(outputs.AreEmpty()) << "and have taken no memory for what there is none of";
   queries->InsertNextTuple3(0.0, 0.0, 0.0);
-  EXPECT_TRUE(locator->FindClosestNPoints(0, queries, outputs.Ids, outputs.Dist2));
-  EXPECT_TRUE(outputs.AreEmpty());
+  for (const int count : { 0, -1, VTK_INT_MIN })
+  {
+    EXPECT_TRUE(locator->FindClosestNPoints(count, queries, outputs.Ids, outputs.Dist2));
+    EXPECT_TRUE(outputs.AreEmpty());
+  }
 }
 
 TEST(TestHashedOctreePointLocatorBatches, WrongArraysAreErrors)

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <atomic>
+#include <stdexcept>
 #include <thread>
 
 namespace
@@ -278,6 +279,44 @@ TEST(TestHashedOctreePointLocatorThreads, DataSetsAreReadOnTheCallersThreadAndTh
   vtkSMPTools::Initialize(0);
   EXPECT_EQ(image->FirstReader, std::this_thread::get_id());
   EXPECT_EQ(image->HasOtherReaders, hasThreads) << "one processor has no others";
+}
+
+namespace
+{
+/** One of its points cannot be read. */
+class TornImage : public vtkImageData
+{
+public:
+  static TornImage* New();
+  vtkTypeMacro(TornImage, vtkImageData);
+
+  void GetPoint(vtkIdType id, double x[3]) override
+  {
+    if (id == 100000)
+    {
+      throw std::runtime_error("torn");
+    }
+    this->Superclass::GetPoint(id, x);
+  }
+  using vtkImageData::GetPoint;
+};
+vtkStandardNewMacro(TornImage);
+}
+
+TEST(TestHashedOctreePointLocatorThreads, WhatIsThrownOnAThreadIsAnError)
+{
+  vtkNew<TornImage> image;
+  image->SetDimensions(60, 60, 60);
+  for (const auto& [backend, threads] : { std::pair("Sequential", 1), { "STDThread", 2 } })
+  {
+    vtkSMPTools::SetBackend(backend);
+    vtkSMPTools::Initialize(threads);
+    TestedLocator locator(image);
+    locator->BuildLocator();
+    ASSERT_NO_FATAL_FAILURE(locator.ExpectError("torn"));
+    locator.ExpectToFindNothing();
+  }
+  vtkSMPTools::Initialize(0);
 }
 
 /** What the locator does where threads are refused. */

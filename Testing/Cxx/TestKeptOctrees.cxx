@@ -9,6 +9,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkSphereSource.h"
 #include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -68,8 +69,11 @@ vtkDataObject* GetBlock(TestedNeighborsFilter& filter, unsigned block)
 /** Expects what a filter with the same properties gives that has never kept anything. */
 void ExpectAsBuiltAnew(TestedNeighborsFilter& filter, vtkDataObject* input)
 {
+  // To run on the input itself would tell the filter that it was generated again.
+  const auto copy = vtk::TakeSmartPointer(input->NewInstance());
+  copy->ShallowCopy(input);
   TestedNeighborsFilter other;
-  other->SetInputData(input);
+  other->SetInputData(copy);
   other->SetMaxPointsPerLeaf(filter->GetMaxPointsPerLeaf());
   other->SetMaxDepth(filter->GetMaxDepth());
   other->SetMergePoints(filter->GetMergePoints());
@@ -306,6 +310,24 @@ TEST(TestKeptOctrees, ObserversMayChangeWhatTheyDependOn)
       filter->SetCenter(0.4, 0.5, 0.5);
       ExpectAsBuiltAnew(filter, points);
     }
+  }
+}
+
+TEST(TestKeptOctrees, WhatASourceMadeMayChangeWhileItIsBuilt)
+{
+  for (const double from : { 0.01, 0.1 })
+  {
+    vtkNew<vtkSphereSource> source; // Does not run again where its output tells of a change.
+    TestedNeighborsFilter filter;
+    filter->SetInputConnection(source->GetOutputPort());
+    filter->SetCenter(0.5, 0.0, 0.0);
+    Observer observer{ from, [&] { source->GetOutput()->Modified(); } };
+    filter->AddObserver(vtkCommand::ProgressEvent, &observer, &Observer::Look);
+    filter.Update();
+    ASSERT_TRUE(observer.HasActed);
+    MoveSilently(source->GetOutput());
+    filter->SetCenter(0.4, 0.0, 0.0);
+    ExpectAsBuiltAnew(filter, source->GetOutput());
   }
 }
 

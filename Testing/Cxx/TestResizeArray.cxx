@@ -30,6 +30,8 @@ TEST(TestResizeArray, WithoutMemoryTheArrayStaysAsItIs)
   array->InsertNextValue(7.0);
   EXPECT_THROW(
     ResizeArray(array.Get(), std::numeric_limits<std::size_t>::max() / 2), std::bad_alloc);
+  // Whose bytes would be a few, modulo 2^64.
+  EXPECT_THROW(ResizeArray(array.Get(), (std::size_t(1) << 61) + 1), std::bad_alloc);
   EXPECT_EQ(array->GetNumberOfValues(), 1);
   EXPECT_EQ(array->GetValue(0), 7.0);
 }
