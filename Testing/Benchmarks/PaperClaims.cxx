@@ -189,6 +189,7 @@ Finding FindTimes(
       [&](const PaperResults& set)
       {
         std::vector<Spread> times;
+        times.reserve(others.size());
         for (const std::size_t other : others)
         {
           times.push_back(set.Times[kind][other]);
