@@ -111,9 +111,8 @@ void CheckOther(const std::string& name)
   {
     if (name == refused)
     {
-      throw std::runtime_error(name +
-        " would leave locator.md empty, or --benchmark_out's file "
-        "incomplete; the times are in locator.json");
+      throw std::runtime_error(
+        name + " cannot be used: times go to locator.md and locator.json, all of them");
     }
   }
 }
