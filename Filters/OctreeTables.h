@@ -23,9 +23,8 @@ void FillDepthHistogram(vtkTable* table, const DepthCounts& counts, int dimensio
 void FillCostCurves(
   vtkTable* table, const DepthCounts& counts, const MeasuredCost& measured, int dimension);
 
-/** Adds the column MeanHitCost to cost curves: `meanHitCost` in the row of `startDepth`, which
- * there is none of below the deepest leaf, and NaN in all others, so that a chart draws it as a
- * mark. Private to the module. */
+/** Adds the column MeanHitCost to cost curves: `meanHitCost` in the row of `startDepth`, if there
+ * is one, and NaN in all others, so that a chart draws it as a mark. Private to the module. */
 void MarkStartDepth(vtkTable* costs, int startDepth, double meanHitCost);
 
 /** What one way to search costs: mean nodes that a search examines. */

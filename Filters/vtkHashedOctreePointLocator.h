@@ -240,9 +240,9 @@ public:
   /**
    * How many nodes the query of that name examines: looks into the hash table, and into the
    * children of a node, which are measured together and count as one (in GetHitCost() each counts).
-   * The query is made and counted; the others count nothing, and are no
-   * slower for it. 0 where there is nothing to search for or in, and where one look into the map of
-   * free space, which does not count, tells that a ball is empty. Thread safe after a build.
+   * The query is made and counted; the others count nothing, and are no slower for it. 0 where
+   * there is nothing to search for or in, and where one look into the map of free space, which does
+   * not count, tells that a ball is empty. Thread safe after a build.
    */
   vtkIdType GetClosestPointCost(const double x[3]);
   vtkIdType GetClosestNPointsCost(int count, const double x[3]);

@@ -32,11 +32,13 @@ get_option() {
   shift 2
   while (($#)); do
     case "$1" in
-      "$name")
-        [[ -n "${2:-}" ]] || fail "$name needs a value"
-        value="$2" ;;
+      "$name") value="${2:-}" ;;
       "$name"=*) value="${1#*=}" ;;
+      *)
+        shift
+        continue ;;
     esac
+    [[ -n "$value" ]] || fail "$name needs a value"
     shift
   done
   printf '%s\n' "$value"

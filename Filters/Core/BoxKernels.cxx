@@ -36,7 +36,7 @@ HASHEDOCTREE_INLINE double GetSlack(double t)
 
 /** Squared distances to boxes from `lower` to `upper`. */
 template <int Dim, typename T>
-HASHEDOCTREE_INLINE void ComputeToBoxes(const OfOctants<Dim, T>* lower,
+HASHEDOCTREE_INLINE void ComputeBoxes(const OfOctants<Dim, T>* lower,
   const OfOctants<Dim, T>* upper, const double* steps, OfOctants<Dim, T>& dist2)
 {
   const OfOctants<Dim, T> zero = {};
@@ -82,7 +82,7 @@ struct PlainBoxes
   static unsigned MeasureBoxes(const ChildBoxes<Dim>& boxes, const double* steps, T limit, T* dist2)
   {
     unsigned mask = 0;
-    ForOctants<T, ComputeToBoxes<Dim, T>>(boxes, steps,
+    ForOctants<T, ComputeBoxes<Dim, T>>(boxes, steps,
       [&](unsigned octant, T here)
       {
         dist2[octant] = here;
@@ -160,23 +160,23 @@ struct Avx2Boxes
     OfOctants<3, float> upper[3];
     Convert(boxes, lower, upper);
     OfOctants<3, float> all;
-    ComputeToBoxes<3, float>(lower, upper, steps, all);
+    ComputeBoxes<3, float>(lower, upper, steps, all);
     _mm256_storeu_ps(dist2, all);
     const __m256 isWithin = _mm256_cmp_ps(all, _mm256_set1_ps(limit), _CMP_NGT_UQ);
     return static_cast<unsigned>(_mm256_movemask_ps(isWithin));
   }
-  HASHEDOCTREE_WITH_AVX2 static unsigned ToBoxesFromAfar(
+  HASHEDOCTREE_WITH_AVX2 static unsigned MeasureBoxesFromAfar(
     const ChildBoxes<3>& boxes, const double* steps, double limit, double* dist2)
   {
     OfOctants<3, double> all[2];
-    MeasureFromAfar<ComputeToBoxes<3, double>>(boxes, steps, all);
+    MeasureFromAfar<ComputeBoxes<3, double>>(boxes, steps, all);
     _mm256_storeu_pd(dist2, all[0]);
     _mm256_storeu_pd(dist2 + 4, all[1]);
     const __m256d limits = _mm256_set1_pd(limit);
     return GetMask(
       _mm256_cmp_pd(all[0], limits, _CMP_NGT_UQ), _mm256_cmp_pd(all[1], limits, _CMP_NGT_UQ));
   }
-  HASHEDOCTREE_WITH_AVX2 static unsigned ToWholeBoxesFromAfar(
+  HASHEDOCTREE_WITH_AVX2 static unsigned SelectWholeBoxesFromAfar(
     const ChildBoxes<3>& boxes, const double* steps, double limit)
   {
     OfOctants<3, double> all[2];
@@ -265,8 +265,9 @@ BoxKernels<Dim> ChooseBoxKernels()
   {
     if (HasAvx2())
     {
-      return { Avx2Boxes::MeasureBoxes, Avx2Boxes::ToBoxesFromAfar, Avx2Boxes::SelectWholeBoxes,
-        Avx2Boxes::ToWholeBoxesFromAfar, Avx2Boxes::MeasureFarthestCorner };
+      return { Avx2Boxes::MeasureBoxes, Avx2Boxes::MeasureBoxesFromAfar,
+        Avx2Boxes::SelectWholeBoxes, Avx2Boxes::SelectWholeBoxesFromAfar,
+        Avx2Boxes::MeasureFarthestCorner };
     }
   }
 #endif

@@ -21,7 +21,7 @@ struct BoxKernels
    * the limit is no number. */
   unsigned (*MeasureBoxes)(
     const ChildBoxes<Dim>& boxes, const double* steps, float limit, float* dist2);
-  unsigned (*ToBoxesFromAfar)(
+  unsigned (*MeasureBoxesFromAfar)(
     const ChildBoxes<Dim>& boxes, const double* steps, double limit, double* dist2);
   ///@}
 
@@ -30,14 +30,14 @@ struct BoxKernels
    * whose farthest corner is nearer than `limit`. Places as those of MeasureBoxes(); corners are
    * never taken for nearer than they are, but for a factor of (1 + BoxError). */
   unsigned (*SelectWholeBoxes)(const ChildBoxes<Dim>& boxes, const double* steps, float limit);
-  unsigned (*ToWholeBoxesFromAfar)(const ChildBoxes<Dim>& boxes, const double* steps, double limit);
+  unsigned (*SelectWholeBoxesFromAfar)(
+    const ChildBoxes<Dim>& boxes, const double* steps, double limit);
   ///@}
 
   /** The least squared distance from a place to the farthest corner of a box, of the boxes of some
    * children: no box has its points further away. Infinite where there are none. The place is as
-   * near as MeasureBoxes() asks for; never less than the true one, but for a factor of (1 +
-   * BoxError).
-   */
+   * near as MeasureBoxes() asks for; never less than the true one, but for a factor of
+   * (1 + BoxError). */
   float (*MeasureFarthestCorner)(
     const ChildBoxes<Dim>& boxes, const double* steps, unsigned octants);
 

@@ -89,7 +89,7 @@ public:
   unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, double reach2,
     double* dist2) const
   {
-    return kernels.ToBoxesFromAfar(boxes, this->Steps.data(), reach2 * Room<double>, dist2);
+    return kernels.MeasureBoxesFromAfar(boxes, this->Steps.data(), reach2 * Room<double>, dist2);
   }
   ///@}
 
@@ -120,7 +120,7 @@ public:
     }
     else
     {
-      return kernels.ToWholeBoxesFromAfar(boxes, this->Steps.data(), limit);
+      return kernels.SelectWholeBoxesFromAfar(boxes, this->Steps.data(), limit);
     }
   }
 

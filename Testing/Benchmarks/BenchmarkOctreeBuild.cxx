@@ -23,8 +23,7 @@ namespace
 constexpr std::size_t NumberOfPoints = 1000000;
 using Sample = PointSample<3, float>;
 
-/** A build that is checked, and warms the caches, outside of the timing; a wrong tree has no time.
- */
+/** A build that is checked, and warms the caches, before the timing; a wrong tree has no time. */
 bool IsSound(const Sample& sample, const Execution& execution)
 {
   const PointSelection<3> selection(sample.GetSpan(), {}, execution);

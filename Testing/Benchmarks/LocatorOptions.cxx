@@ -106,8 +106,8 @@ std::vector<Operation> ReadOperations(const std::string& option, const std::stri
 /** Google Benchmark's own, but for those under which it measures nothing, or keeps it from us. */
 void CheckOther(const std::string& name)
 {
-  for (const std::string refused :
-    { "--benchmark_list_tests", "--benchmark_report_aggregates_only", "--benchmark_out" })
+  for (const std::string refused : { "--benchmark_list_tests", "--benchmark_report_aggregates_only",
+         "--benchmark_display_aggregates_only", "--benchmark_out" })
   {
     if (name == refused)
     {
@@ -233,6 +233,6 @@ std::string GetHelp()
     "  --output DIRECTORY      default: the current one\n"
     "A list has commas and no blanks; of peers it is all of them by default. Google Benchmark's "
     "options work, too, but for --benchmark_list_tests, --benchmark_out and "
-    "--benchmark_report_aggregates_only:\n";
+    "--benchmark_..._aggregates_only:\n";
 }
 }

@@ -14,7 +14,7 @@ namespace
 {
 using Random = std::mt19937_64;
 
-/** The distance to the closest point but `rank`. */
+/** The distance to the closest point after `rank` closer ones. */
 double GetDistance(const LocatorData& data, LocatorPeer& locator, const Position& x, int rank)
 {
   Answer answer;

@@ -523,12 +523,12 @@ void WriteClaims(std::ostream& out, const Sets& sets)
 {
   out << "\n## Claims of the paper\n\nEach claim is judged by this run: it holds when it does for "
          "all sets, does not hold when it does for none; a speed-up by its mean over the sets. "
-         "Ratios "
-         "and percentages are the least to the greatest of the sets and their mean. Of two times "
-         "one is slower when the middle halves of their repetitions lie apart; where they "
-         "overlap, and its median is above, it cannot be told. The right model "
-         "of Table 3 is the fastest where no other is faster. Gain and deviation are called "
-         "related where chance gives as much in one of twenty cases, and the gain of one set large "
+         "Ratios and percentages are the least to the greatest of the sets and their mean. Of two "
+         "times one is slower when the middle halves of their repetitions lie apart; where it is "
+         "not to be slower, and they overlap while its median is above, it cannot be told. The "
+         "right model of Table 3 is the fastest where no other is faster. Gain and deviation are "
+         "called related where chance gives as much in one of twenty cases, and the gain of one "
+         "set large "
          "where less than half of the others have more. Memory is called equal up to 5 % more, as "
          "in the paper's Table 1. \"Several times\" is read as twice; sets are big from "
       << BigSet / 1000000

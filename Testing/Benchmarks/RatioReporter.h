@@ -7,9 +7,11 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 /**
@@ -30,7 +32,9 @@ public:
       {
         const std::string& name = run.run_name.function_name;
         const std::size_t slash = name.find('/');
-        this->Add(name.substr(0, slash), name.substr(slash + 1),
+        const Key key{ name.substr(0, slash), name.substr(slash + 1) };
+        this->Registered[run.family_index] = key;
+        this->Times[key].push_back(
           1e3 * run.real_accumulated_time / static_cast<double>(run.iterations));
       }
       this->Failed = this->Failed || run.error_occurred;
@@ -40,23 +44,30 @@ public:
   void Finalize() override
   {
     ConsoleReporter::Finalize();
+    std::vector<std::string> subjects;
+    std::vector<std::string> dataSets;
+    for (const auto& [index, key] : this->Registered) // Reports come in any order.
+    {
+      AddOnce(key.first, subjects);
+      AddOnce(key.second, dataSets);
+    }
     std::printf(
       "\nMedian times (their spread), and how many times those of %s they are.\n\n| data |",
-      this->Subjects.empty() ? "none" : this->Subjects.front().c_str());
-    for (const std::string& subject : this->Subjects)
+      subjects.empty() ? "none" : subjects.front().c_str());
+    for (const std::string& subject : subjects)
     {
       std::printf(" %s |", subject.c_str());
     }
     std::printf("\n|---|");
-    for (std::size_t i = 0; i < this->Subjects.size(); ++i)
+    for (std::size_t i = 0; i < subjects.size(); ++i)
     {
       std::printf("---|");
     }
-    for (const std::string& data : this->DataSets)
+    for (const std::string& data : dataSets)
     {
       std::printf("\n| %s |", data.c_str());
-      const double base = GetMedian(this->Times[{ this->Subjects.front(), data }]);
-      for (const std::string& subject : this->Subjects)
+      const double base = GetMedian(this->Times[{ subjects.front(), data }]);
+      for (const std::string& subject : subjects)
       {
         const std::vector<double>& times = this->Times[{ subject, data }];
         const double median = GetMedian(times);
@@ -71,12 +82,7 @@ public:
   bool HasFailed() const { return this->Failed; }
 
 private:
-  void Add(const std::string& subject, const std::string& data, double milliseconds)
-  {
-    AddOnce(subject, this->Subjects);
-    AddOnce(data, this->DataSets);
-    this->Times[{ subject, data }].push_back(milliseconds);
-  }
+  using Key = std::pair<std::string, std::string>; ///< Subject and data.
 
   static void AddOnce(const std::string& name, std::vector<std::string>& names)
   {
@@ -86,9 +92,8 @@ private:
     }
   }
 
-  std::vector<std::string> Subjects;
-  std::vector<std::string> DataSets;
-  std::map<std::pair<std::string, std::string>, std::vector<double>> Times;
+  std::map<std::int64_t, Key> Registered;
+  std::map<Key, std::vector<double>> Times;
   bool Failed = false;
 };
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The locator from Python beside scipy.spatial.cKDTree: NumPy arrays in and out, one thread.
 
-Run by Testing/bench.sh python [points [positions [repetitions]]]. They take turns; medians. The answers
-must be the same. Prints a Markdown table.
+Run by Testing/bench.sh python [points [positions [repetitions]]]. The locator and two kinds of cKDTree take
+turns; times are medians. The answers must be the same. Prints a Markdown table.
 """
 import argparse
 import math

@@ -73,7 +73,7 @@ protected:
   static unsigned Measure(const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes,
     const double* steps, double limit, double* dist2)
   {
-    return kernels.ToBoxesFromAfar(boxes, steps, limit, dist2);
+    return kernels.MeasureBoxesFromAfar(boxes, steps, limit, dist2);
   }
 
   static unsigned GetWhole(
@@ -84,7 +84,7 @@ protected:
   static unsigned GetWhole(
     const BoxKernels<Dim>& kernels, const ChildBoxes<Dim>& boxes, const double* steps, double limit)
   {
-    return kernels.ToWholeBoxesFromAfar(boxes, steps, limit);
+    return kernels.SelectWholeBoxesFromAfar(boxes, steps, limit);
   }
 
   /** Looks for whole boxes from places at most `reach` steps from the middle of a block: a box that
@@ -292,8 +292,8 @@ TYPED_TEST(TestBoxKernels, EachIsTheFastestThatTheMachineHas)
   const BoxKernels<dim>& fastest = GetBoxKernels<dim>();
   const bool inSpace = HasAvx2() && dim == 3; // Others fill no vectors.
   EXPECT_EQ(fastest.MeasureBoxes != plain.MeasureBoxes, inSpace);
-  EXPECT_EQ(fastest.ToBoxesFromAfar != plain.ToBoxesFromAfar, inSpace);
+  EXPECT_EQ(fastest.MeasureBoxesFromAfar != plain.MeasureBoxesFromAfar, inSpace);
   EXPECT_EQ(fastest.SelectWholeBoxes != plain.SelectWholeBoxes, inSpace);
-  EXPECT_EQ(fastest.ToWholeBoxesFromAfar != plain.ToWholeBoxesFromAfar, inSpace);
+  EXPECT_EQ(fastest.SelectWholeBoxesFromAfar != plain.SelectWholeBoxesFromAfar, inSpace);
   EXPECT_EQ(fastest.MeasureFarthestCorner != plain.MeasureFarthestCorner, inSpace);
 }

@@ -53,6 +53,7 @@ TEST_F(TestBenchmarkPointLocator, BadArguments)
   for (const std::string arguments : { "--data bunny", "--data terrain --terrain none.vtp",
          "--sizes 10", "--queries", "--threads 0", "--operations close", "--peers octrees",
          "--repetition-time x", "--fast", "--benchmark_out=file", "--benchmark_list_tests=true",
+         "--benchmark_report_aggregates_only=true", "--benchmark_display_aggregates_only=true",
          "--data cube --sizes 1000 --benchmark_filter=none" })
   {
     EXPECT_FALSE(this->Succeeds(arguments)) << arguments;

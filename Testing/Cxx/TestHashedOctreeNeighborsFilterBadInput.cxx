@@ -4,6 +4,7 @@
 #include "TestedNeighborsFilter.h"
 
 #include "vtkDummyController.h"
+
 #include <cmath>
 #include <limits>
 
