@@ -32,13 +32,11 @@ get_option() {
   shift 2
   while (($#)); do
     case "$1" in
-      "$name") value="${2:-}" ;;
-      "$name"=*) value="${1#*=}" ;;
-      *)
-        shift
-        continue ;;
+      "$name"=?*) value="${1#*=}" ;;
+      "$name" | "$name"=)
+        [[ "$1" == "$name" && -n "${2:-}" ]] || fail "$name needs a value"
+        value="$2" ;;
     esac
-    [[ -n "$value" ]] || fail "$name needs a value"
     shift
   done
   printf '%s\n' "$value"

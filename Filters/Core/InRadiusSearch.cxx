@@ -62,7 +62,7 @@ private:
     const NeighborCells<Dim> cover = this->Ball.GetCover();
     Corner lower;
     this->Ball.GetLower(cover.Lower, cover.Depth, lower);
-    const double size = NodeBall<Dim>::GetSide(cover.Depth);
+    const double side = NodeBall<Dim>::GetSide(cover.Depth);
     Group cells;
     std::size_t count = 0;
     std::uint64_t internal = 0;
@@ -78,9 +78,9 @@ private:
         Node& cell = cells[count];
         cell.NodeKey = key;
         cell.Block = entry.Block;
-        NodeBall<Dim>::GetLowerOfOctant(lower, size, corner, cell.Lower);
+        NodeBall<Dim>::GetLowerOfOctant(lower, side, corner, cell.Lower);
         this->Tree.PrefetchOctants(cell.Block);
-        internal |= std::uint64_t(this->ListLeaves(machine, cell, entry, 0.5 * size))
+        internal |= std::uint64_t(this->ListLeaves(machine, cell, entry, 0.5 * side))
           << (count * Key::NumberOfOctants);
         ++count;
       },
@@ -116,7 +116,7 @@ private:
   HASHEDOCTREE_INLINE void ListBelow(
     Machine machine, const Group& parents, std::uint64_t internal, int depth)
   {
-    const double size = NodeBall<Dim>::GetSide(depth);
+    const double side = NodeBall<Dim>::GetSide(depth);
     while (internal != 0)
     {
       Group nodes;
@@ -130,10 +130,10 @@ private:
         const unsigned octant = bit % Key::NumberOfOctants;
         node->NodeKey = parent.NodeKey.GetChild(octant);
         node->Block = this->Tree.GetChildBlock(parent.Block, octant);
-        NodeBall<Dim>::GetLowerOfOctant(parent.Lower, size, octant, node->Lower);
+        NodeBall<Dim>::GetLowerOfOctant(parent.Lower, side, octant, node->Lower);
         const Octants& children = this->Tree.GetOctants(node->Block);
         this->Tree.PrefetchOctants(children.FirstChild);
-        below |= std::uint64_t(this->ListLeaves(machine, *node, children, 0.5 * size)) << shift;
+        below |= std::uint64_t(this->ListLeaves(machine, *node, children, 0.5 * side)) << shift;
         ++node;
       }
       if (below != 0)
@@ -144,17 +144,17 @@ private:
   }
 
   /** Lists those children of a node that are leaves and meet the ball, and returns those that are
-   * internal nodes and meet it. `size` is theirs. */
+   * internal nodes and meet it. `side` is theirs. */
   template <typename Machine, typename Children>
   HASHEDOCTREE_INLINE std::uint32_t ListLeaves(
-    Machine machine, const Node& node, const Children& children, double size)
+    Machine machine, const Node& node, const Children& children, double side)
   {
     const std::uint32_t others = this->GetOthers(node.NodeKey);
     this->Examined.Enter(node.NodeKey);
     this->Examined.AddNodes(__builtin_popcount(others));
     const std::uint32_t nodes = this->Reading == EmptyOctants::Leaves ? others : children.Occupied;
     const std::uint32_t meeting =
-      others & nodes & this->Ball.GetMeetingOctants(machine, node.Lower, size);
+      others & nodes & this->Ball.GetMeetingOctants(machine, node.Lower, side);
     this->Leaves.AddChildren(machine, node.NodeKey, meeting & ~children.Internal, node.Block);
     return meeting & children.Internal;
   }

@@ -52,35 +52,35 @@ public:
   /** Whether it reaches the border of the node. If not, it meets no other leaf. */
   bool ReachesBorder() const
   {
-    const double halfSize = 0.5 * GetSide(this->Depth);
-    return halfSize * halfSize <= this->Radius2;
+    const double halfSide = 0.5 * GetSide(this->Depth);
+    return halfSide * halfSide <= this->Radius2;
   }
 
   /** Whether a cell, its faces included, meets the ball. */
   bool Meets(const Cell<Dim>& cell, int depth) const
   {
-    const std::int64_t size = std::int64_t(2) << (Key::MaxDepth - depth);
+    const std::int64_t side = std::int64_t(2) << (Key::MaxDepth - depth);
     double nearest2 = 0.0;
     for (int axis = 0; axis < Dim; ++axis)
     {
-      const std::int64_t lower = cell[axis] * size - this->Center[axis];
-      const auto nearest = static_cast<double>(std::max<std::int64_t>({ 0, lower, -lower - size }));
+      const std::int64_t lower = cell[axis] * side - this->Center[axis];
+      const auto nearest = static_cast<double>(std::max<std::int64_t>({ 0, lower, -lower - side }));
       nearest2 += nearest * nearest;
     }
     return nearest2 <= this->Radius2;
   }
 
-  /** Of the 2^Dim cells of this size around a corner, which is the upper one of the first: those
+  /** Of the 2^Dim cells of this side around a corner, which is the upper one of the first: those
    * that meet the ball, one bit for each octant. `lower` is the first one's lower corner. */
-  std::uint32_t GetMeetingOctants(PlainMachine, const Corner& lower, double size) const
+  std::uint32_t GetMeetingOctants(PlainMachine, const Corner& lower, double side) const
   {
     // On each axis there are two places only, which make a vector.
-    const Pair places = { 0.0, size };
+    const Pair places = { 0.0, side };
     std::array<Pair, Dim> nearest2;
     for (int axis = 0; axis < Dim; ++axis)
     {
       const Pair below = lower[axis] + places;
-      const Pair above = -size - below;
+      const Pair above = -side - below;
       const Pair nearest = GetLarger(GetLarger(below, above), Pair{});
       nearest2[axis] = nearest * nearest;
     }
@@ -102,11 +102,11 @@ public:
 #if defined(__x86_64__)
   /** The same by AVX2. */
   HASHEDOCTREE_WITH_AVX2 std::uint32_t GetMeetingOctants(
-    Avx2Machine, const Corner& lower, double size) const
+    Avx2Machine, const Corner& lower, double side) const
   {
-    const __m256d minusFirstUpper = _mm256_set1_pd(-size) - lower;
+    const __m256d minusFirstUpper = _mm256_set1_pd(-side) - lower;
     const __m256d first = GetNearest2(lower, minusFirstUpper);
-    const __m256d second = GetNearest2(lower + size, minusFirstUpper - size);
+    const __m256d second = GetNearest2(lower + side, minusFirstUpper - side);
     // Sums over the last two axes make a vector.
     constexpr int last = Dim - 1;
     __m256d sums[std::max(Key::NumberOfOctants / 4U, 1U)];
@@ -142,12 +142,12 @@ public:
     }
   }
 
-  /** The same of one of the 2^Dim cells of this size of which the first has this lower corner. */
+  /** The same of one of the 2^Dim cells of this side of which the first has this lower corner. */
   HASHEDOCTREE_INLINE static void GetLowerOfOctant(
-    const Corner& lower, double size, unsigned octant, Corner& lowerOfOctant)
+    const Corner& lower, double side, unsigned octant, Corner& lowerOfOctant)
   {
     // (A product, since a choice is made by a branch, which nobody could foresee.)
-    lowerOfOctant = lower + size * Steps.OfOctant[octant];
+    lowerOfOctant = lower + side * Steps.OfOctant[octant];
   }
 
   /** The side of the cells at a depth. */
@@ -161,16 +161,16 @@ public:
    * border. */
   NeighborCells<Dim> GetCover() const
   {
-    constexpr std::int64_t size = std::int64_t(2) << Key::MaxDepth;
+    constexpr std::int64_t side = std::int64_t(2) << Key::MaxDepth;
     // Cells at the next whole length are beyond the ball, also when squares are rounded.
     const std::int64_t reach =
-      this->Radius < static_cast<double>(size) ? static_cast<std::int64_t>(this->Radius) + 1 : size;
+      this->Radius < static_cast<double>(side) ? static_cast<std::int64_t>(this->Radius) + 1 : side;
     NeighborCells<Dim> cells;
     std::uint32_t width = 1;
     for (int axis = 0; axis < Dim; ++axis)
     {
       const std::int64_t lower = std::max<std::int64_t>(this->Center[axis] - reach, 0);
-      const std::int64_t upper = std::min(this->Center[axis] + reach, size - 1);
+      const std::int64_t upper = std::min(this->Center[axis] + reach, side - 1);
       cells.Lower[axis] = static_cast<std::uint32_t>(lower / 2);
       cells.Upper[axis] = static_cast<std::uint32_t>(upper / 2);
       width |= cells.Upper[axis] - cells.Lower[axis];

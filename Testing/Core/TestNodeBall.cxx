@@ -63,19 +63,19 @@ TYPED_TEST(TestNodeBall, CellsMeetTheBallWithTheirNearestPoints)
     ASSERT_EQ(ball.ReachesBorder(), radius >= std::ldexp(2.0, -depth));
     typename NodeBall<dim>::Corner parent;
     ball.GetLower(other.GetParent().GetCell(), other.GetDepth() - 1, parent);
-    const double size = NodeBall<dim>::GetSide(other.GetDepth());
-    const std::uint32_t octants = ball.GetMeetingOctants(PlainMachine(), parent, size);
+    const double side = NodeBall<dim>::GetSide(other.GetDepth());
+    const std::uint32_t octants = ball.GetMeetingOctants(PlainMachine(), parent, side);
     ASSERT_EQ((octants >> other.GetOctant() & 1U) != 0, expected);
 #if defined(__x86_64__)
     if (HasAvx2())
     {
-      ASSERT_EQ(ball.GetMeetingOctants(Avx2Machine(), parent, size), octants);
+      ASSERT_EQ(ball.GetMeetingOctants(Avx2Machine(), parent, side), octants);
     }
 #endif
     typename NodeBall<dim>::Corner lower;
     ball.GetLower(other.GetCell(), other.GetDepth(), lower);
     typename NodeBall<dim>::Corner lowerOfOctant;
-    NodeBall<dim>::GetLowerOfOctant(parent, size, other.GetOctant(), lowerOfOctant);
+    NodeBall<dim>::GetLowerOfOctant(parent, side, other.GetOctant(), lowerOfOctant);
     for (int axis = 0; axis < 4; ++axis)
     {
       ASSERT_EQ(lowerOfOctant[axis], lower[axis]);
