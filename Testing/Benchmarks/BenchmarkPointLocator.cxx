@@ -4,8 +4,10 @@
  * the same points and at the same positions, in turns. All searches are checked against each other
  * at some positions, and ours at a few against every point (LocatorCheck.h).
  */
+#include "LocatorFile.h"
 #include "LocatorGroup.h"
 #include "LocatorReport.h"
+#include "LocatorSamples.h"
 #include "ReportFile.h"
 
 #include <chrono>
@@ -38,33 +40,49 @@ void InitializeGoogleBenchmark(const std::string& program, const std::vector<std
 }
 
 std::size_t RunGroup(
-  const LocatorOptions& options, const std::string& data, std::size_t size, LocatorResults& results)
+  const LocatorOptions& options, const LocatorData& data, LocatorResults& results)
 {
   const auto start = std::chrono::steady_clock::now();
-  LocatorGroup group(options, data, size);
+  LocatorGroup group(options, data);
   group.Register();
   const std::size_t count = benchmark::RunSpecifiedBenchmarks(&results);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  std::printf(
-    "%s, %zu points: %zu benchmarks in %.0f s\n", data.c_str(), size, count, time.count());
+  std::printf("%s, %zu points: %zu benchmarks in %.0f s\n", data.GetName().c_str(),
+    data.GetNumberOfPoints(), count, time.count());
   std::fflush(stdout);
   return count;
 }
 
-int Run(const std::string& program, const LocatorOptions& options)
+std::size_t RunSamples(const LocatorOptions& options, LocatorResults& results)
+{
+  std::size_t count = 0;
+  for (const std::size_t size : options.Sizes)
+  {
+    for (const std::string& name : options.Data)
+    {
+      count += RunGroup(options, MakeSample(name, size, options.TerrainPath), results);
+    }
+  }
+  return count;
+}
+
+/** The options, which learn what there is to measure, say so to the report. */
+std::size_t RunOwnData(LocatorOptions& options, LocatorResults& results)
+{
+  const LocatorData data = ReadOwnData(options.PointsPath);
+  options.Data = { data.GetName() };
+  options.Sizes = { data.GetNumberOfPoints() };
+  return RunGroup(options, data, results);
+}
+
+int Run(const std::string& program, LocatorOptions options)
 {
   InitializeGoogleBenchmark(program, options.Others);
   ReportFile json(options.OutputDirectory + "/locator.json");
   ReportFile markdown(options.OutputDirectory + "/locator.md");
   LocatorResults results(json.GetStream());
-  std::size_t count = 0;
-  for (const std::size_t size : options.Sizes)
-  {
-    for (const std::string& data : options.Data)
-    {
-      count += RunGroup(options, data, size, results);
-    }
-  }
+  const std::size_t count =
+    options.PointsPath.empty() ? RunSamples(options, results) : RunOwnData(options, results);
   results.Close();
   if (count == 0)
   {

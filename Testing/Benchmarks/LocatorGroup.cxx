@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatorGroup.h"
 
-#include "LocatorSamples.h"
-
 namespace locator_benchmark
 {
-LocatorGroup::LocatorGroup(const LocatorOptions& options, const std::string& data, std::size_t size)
+LocatorGroup::LocatorGroup(const LocatorOptions& options, const LocatorData& data)
   : Options(options)
-  , Data(MakeSample(data, size, options.TerrainPath))
+  , Data(data)
 {
   // A repetition does not get through them but by the shortest searches (below 100 ns), so that the
   // caches do not know the way.

@@ -12,12 +12,13 @@
 
 namespace locator_benchmark
 {
-/** The benchmarks of one data set and size, which run in turns. They share the built locators, and
- * only one group is in memory at a time. */
+/** The benchmarks of one data set, which run in turns. They share the built locators, and only one
+ * group is in memory at a time. */
 class LocatorGroup
 {
 public:
-  LocatorGroup(const LocatorOptions& options, const std::string& data, std::size_t size);
+  /** Both must outlive the group. */
+  LocatorGroup(const LocatorOptions& options, const LocatorData& data);
   ~LocatorGroup();
   LocatorGroup(const LocatorGroup&) = delete;
   void operator=(const LocatorGroup&) = delete;
@@ -35,7 +36,7 @@ private:
   Question MakeQuestion(const LocatorCase& which) const;
 
   const LocatorOptions& Options;
-  const LocatorData Data;
+  const LocatorData& Data;
   LocatorQueries Queries;
   std::map<std::string, std::unique_ptr<LocatorPeer>> Peers;
   std::map<std::string, std::unique_ptr<LocatorCheck>> Checks;

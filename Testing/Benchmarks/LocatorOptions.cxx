@@ -120,7 +120,7 @@ void CheckOther(const std::string& name)
 /** The terrain may come last; that its file is missing should be said at once. */
 void CheckTerrain(const LocatorOptions& options)
 {
-  const bool isWanted =
+  const bool isWanted = options.PointsPath.empty() &&
     std::find(options.Data.begin(), options.Data.end(), "terrain") != options.Data.end();
   if (isWanted && !options.HelpWanted && !std::ifstream(options.TerrainPath))
   {
@@ -137,9 +137,13 @@ std::map<std::string, Setter> MakeSetters()
   std::map<std::string, Setter> setters;
   setters["--data"] = [](LocatorOptions& options, const std::string& value)
   { options.Data = ReadNames("--data", value, GetSampleNames()); };
-  // Fewer points could not fill the largest answers; more than a float tells apart help nobody.
+  // More than a float tells apart help nobody.
   setters["--sizes"] = [](LocatorOptions& options, const std::string& value)
-  { options.Sizes = ReadCounts<std::size_t>("--sizes", value, 1000, 100000000); };
+  {
+    options.Sizes = ReadCounts<std::size_t>("--sizes", value, LocatorOptions::LeastSize, 100000000);
+  };
+  setters["--points"] = [](LocatorOptions& options, const std::string& value)
+  { options.PointsPath = value; };
   setters["--queries"] = [](LocatorOptions& options, const std::string& value)
   { options.Queries = ReadNames("--queries", value, GetQueryNames()); };
   setters["--operations"] = [](LocatorOptions& options, const std::string& value)
@@ -218,6 +222,7 @@ std::string GetHelp()
     Join(GetSampleNames()) +
     "; default: all but tails and plane\n"
     "  --sizes LIST            numbers of points; default 10000,100000,1000000\n"
+    "  --points FILE           in place of these two: points of your own, in float, from a .vtp file\n"
     "  --queries LIST          of " +
     Join(GetQueryNames()) +
     "; default: near and uniform\n"

@@ -9,6 +9,9 @@ namespace locator_benchmark
 /** What to measure, from the command line. */
 struct LocatorOptions
 {
+  /** Fewer points could not fill the largest answers. */
+  static constexpr std::size_t LeastSize = 1000;
+
   std::vector<std::string> Data{ "terrain", "cube", "sphere", "clusters", "filaments", "duplicates",
     "outlier" };
   std::vector<std::size_t> Sizes{ 10000, 100000, 1000000 };
@@ -21,6 +24,8 @@ struct LocatorOptions
   /** Seconds after which a repetition stops counting. */
   double RepetitionTime = 0.04;
   std::string TerrainPath;
+  /** Where it is not empty, what to measure in place of Data and Sizes. */
+  std::string PointsPath;
   std::string OutputDirectory = ".";
   /** Arguments that are not ours, but Google Benchmark's. */
   std::vector<std::string> Others;

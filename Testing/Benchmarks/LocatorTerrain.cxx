@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LocatorTerrain.h"
 
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkXMLPolyDataReader.h"
+#include "LocatorFile.h"
 
 #include <array>
 #include <cmath>
@@ -20,11 +17,9 @@ class Terrain
 {
 public:
   explicit Terrain(const std::string& path)
+    : Points(ReadPoints(path))
   {
-    this->Reader->SetFileName(path.c_str());
-    this->Reader->Update();
-    this->Points = this->Reader->GetOutput()->GetPoints();
-    const vtkIdType count = this->Points ? this->Points->GetNumberOfPoints() : 0;
+    const vtkIdType count = this->Points->GetNumberOfPoints();
     this->Columns = this->CountColumns(count);
     this->Rows = this->Columns > 0 ? count / this->Columns : 0;
     if (this->Rows < 2 || this->Columns < 2 || this->Rows * this->Columns != count)
@@ -78,8 +73,7 @@ private:
     return columns;
   }
 
-  vtkNew<vtkXMLPolyDataReader> Reader;
-  vtkPoints* Points = nullptr;
+  vtkSmartPointer<vtkPoints> Points;
   vtkIdType Columns = 0;
   vtkIdType Rows = 0;
 };

@@ -23,6 +23,26 @@ protected:
     return this->Locators.Succeeds("--output " + this->Locators.Quote("") + " " + arguments);
   }
 
+  /** A file of points on a helix, of which one more comes last. */
+  void WritePoints(const std::string& file, int count, const std::string& last) const
+  {
+    std::ofstream out(this->Locators.GetPath(file));
+    out << "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='" << count + 1
+        << "'><Points><DataArray type='Float64' NumberOfComponents='3' format='ascii'>\n";
+    for (int i = 0; i < count; ++i)
+    {
+      out << std::cos(0.1 * i) << " " << std::sin(0.1 * i) << " " << 0.01 * i << "\n";
+    }
+    out << last << "</DataArray></Points></Piece></PolyData></VTKFile>\n";
+  }
+
+  /** The times of the last run. */
+  MarkdownTables::Table ReadTimes() const
+  {
+    std::ifstream file(this->Locators.GetPath("locator.md"));
+    return MarkdownTables(file).Get("Point locators");
+  }
+
   BenchmarkRun Locators{ "BenchmarkPointLocator" };
 };
 }
@@ -30,9 +50,7 @@ protected:
 TEST_F(TestBenchmarkPointLocator, MeasuresAllPeersAndChecksTheirAnswers)
 {
   ASSERT_TRUE(this->Succeeds(SmallRun));
-  std::ifstream file(this->Locators.GetPath("locator.md"));
-  const MarkdownTables report(file);
-  const MarkdownTables::Table& times = report.Get("Point locators");
+  const MarkdownTables::Table times = this->ReadTimes();
   // Of each data set and number of threads one row of builds, and five operations at five kinds of
   // positions.
   ASSERT_EQ(times.size(), 1U + 2 * 2 * (1 + 5 * 5));
@@ -45,6 +63,37 @@ TEST_F(TestBenchmarkPointLocator, MeasuresAllPeersAndChecksTheirAnswers)
       const double value = std::strtod(times[row][column].c_str(), nullptr);
       EXPECT_TRUE(value > 0.0 && std::isfinite(value)) << row << ": " << times[row][column];
     }
+  }
+}
+
+TEST_F(TestBenchmarkPointLocator, MeasuresPointsOfAFile)
+{
+  this->WritePoints("a helix.vtp", 1500, "5 5 5");
+  ASSERT_TRUE(this->Succeeds("--points " + this->Locators.Quote("a helix.vtp") +
+    " --threads 1 --queries near --operations closest,radius --repetition-time 0.0001"
+    " --benchmark_repetitions=1"));
+  const MarkdownTables::Table times = this->ReadTimes();
+  ASSERT_EQ(times.size(), 1U + 2);
+  EXPECT_EQ(times[1][0], "a helix");
+  EXPECT_EQ(times[1][1], "1501");
+  EXPECT_GT(std::strtod(times[1][6].c_str(), nullptr), 0.0);
+}
+
+TEST_F(TestBenchmarkPointLocator, PointsThatCannotBeMeasured)
+{
+  this->WritePoints("few.vtp", 998, "5 5 5");
+  this->WritePoints("infinite.vtp", 1500, "5 inf 5");
+  this->WritePoints("large.vtp", 1500, "5 1e39 5"); // for a float
+  std::ofstream(this->Locators.GetPath("no.vtp")) << "points\n";
+  const std::ptrdiff_t files = this->Locators.CountFiles();
+  for (const std::string file : { "few.vtp", "infinite.vtp", "large.vtp", "no.vtp", "none.vtp" })
+  {
+    EXPECT_FALSE(this->Succeeds("--points " + this->Locators.Quote(file))) << file;
+    const std::vector<std::string> said = this->Locators.ReadLines("log.txt");
+    ASSERT_FALSE(said.empty());
+    EXPECT_EQ(said.back().rfind("error: ", 0), 0U) << said.back();
+    EXPECT_NE(said.back().find(file), std::string::npos) << said.back();
+    EXPECT_EQ(this->Locators.CountFiles(), files + 1) << "what it said";
   }
 }
 
