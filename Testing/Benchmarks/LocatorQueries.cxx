@@ -73,10 +73,15 @@ double MakeRadius(
   std::vector<double> distances;
   for (std::size_t i = 0; i < std::min<std::size_t>(positions.size(), 501); ++i)
   {
-    distances.push_back(GetDistance(data, locator, positions[i], 29));
+    // (A radius of 0 would find the points at one place for us and VTK, and none for nanoflann.)
+    const double distance = GetDistance(data, locator, positions[i], 29);
+    if (distance > 0.0)
+    {
+      distances.push_back(distance);
+    }
   }
   // A little more, so that no point lies on it: nanoflann's radius is exclusive, VTK's inclusive.
-  return GetMedian(distances) * (1.0 + 1e-6);
+  return distances.empty() ? 1.0 : GetMedian(distances) * (1.0 + 1e-6);
 }
 }
 

@@ -23,15 +23,16 @@ protected:
     return this->Locators.Succeeds("--output " + this->Locators.Quote("") + " " + arguments);
   }
 
-  /** A file of points on a helix, of which one more comes last. */
-  void WritePoints(const std::string& file, int count, const std::string& last) const
+  /** A file of points on a helix, or at one place where that has no pitch, and of a last one. */
+  void WritePoints(
+    const std::string& file, int count, const std::string& last, double pitch = 0.1) const
   {
     std::ofstream out(this->Locators.GetPath(file));
     out << "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='" << count + 1
         << "'><Points><DataArray type='Float64' NumberOfComponents='3' format='ascii'>\n";
     for (int i = 0; i < count; ++i)
     {
-      out << std::cos(0.1 * i) << " " << std::sin(0.1 * i) << " " << 0.01 * i << "\n";
+      out << std::cos(pitch * i) << " " << std::sin(pitch * i) << " " << pitch * i << "\n";
     }
     out << last << "</DataArray></Points></Piece></PolyData></VTKFile>\n";
   }
@@ -69,14 +70,18 @@ TEST_F(TestBenchmarkPointLocator, MeasuresAllPeersAndChecksTheirAnswers)
 TEST_F(TestBenchmarkPointLocator, MeasuresPointsOfAFile)
 {
   this->WritePoints("a helix.vtp", 1500, "5 5 5");
-  ASSERT_TRUE(this->Succeeds("--points " + this->Locators.Quote("a helix.vtp") +
-    " --threads 1 --queries near --operations closest,radius --repetition-time 0.0001"
-    " --benchmark_repetitions=1"));
-  const MarkdownTables::Table times = this->ReadTimes();
-  ASSERT_EQ(times.size(), 1U + 2);
-  EXPECT_EQ(times[1][0], "a helix");
-  EXPECT_EQ(times[1][1], "1501");
-  EXPECT_GT(std::strtod(times[1][6].c_str(), nullptr), 0.0);
+  this->WritePoints("one place.vtp", 1500, "5 5 5", 0.0);
+  for (const std::string name : { "a helix", "one place" })
+  {
+    ASSERT_TRUE(this->Succeeds("--points " + this->Locators.Quote(name + ".vtp") +
+      " --threads 1 --queries near --operations closest,radius --repetition-time 0.0001"
+      " --benchmark_repetitions=1"));
+    const MarkdownTables::Table times = this->ReadTimes();
+    ASSERT_EQ(times.size(), 1U + 2);
+    EXPECT_EQ(times[1][0], name);
+    EXPECT_EQ(times[1][1], "1501");
+    EXPECT_GT(std::strtod(times[1][6].c_str(), nullptr), 0.0);
+  }
 }
 
 TEST_F(TestBenchmarkPointLocator, PointsThatCannotBeMeasured)
