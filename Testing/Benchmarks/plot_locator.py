@@ -2,8 +2,8 @@
 """plot_locator.py LOCATOR.json DIRECTORY
 
 Draws what BenchmarkPointLocator measured: for each data set and number of threads one PNG in the directory,
-with the median time of each peer against the number of points, one picture for each operation and kind of
-position.
+with one picture for each operation and kind of position: the median time of each peer against the number of
+points, or, where there is one number only, beside the others' times.
 """
 import json
 import os
@@ -66,50 +66,68 @@ def load_medians(path):
     return figures
 
 
-def spans_little(axes):
-    lower, upper = axes.get_ylim()
-    return upper < 300 * lower
+def draw_times(axes, operation, peers, get_places, marker_size):
+    """Of each peer the times, in milliseconds for builds and in microseconds for queries, at the places that
+    get_places makes of them, the peer's row and its numbers of points."""
+    factor = 1e3 if operation == "build" else 1e6
+    for row, name in enumerate(name for name in PEERS if name in peers):
+        label, colour, style = PEERS[name]
+        points = sorted(peers[name])
+        # The median is the default, and seen where others lie on it.
+        axes.plot(*get_places([factor * peers[name][n] for n in points], row, points), style, color=colour,
+                  label=label, markersize=marker_size,
+                  markerfacecolor="white" if name in ("local", "root") else colour,
+                  linewidth=2 if name == "median" else 1.5, zorder=3 if name == "median" else 2)
 
 
-def draw_picture(axes, operation, queries, peers):
-    # Microseconds for queries; builds take longer.
-    unit, factor = ("ms", 1e3) if operation == "build" else ("µs", 1e6)
-    for name, (label, colour, style) in PEERS.items():
-        if name in peers:
-            points = sorted(peers[name])
-            # The median is the default, and seen where others lie on it.
-            axes.loglog(points, [factor * peers[name][n] for n in points], style, color=colour, label=label,
-                        markersize=4, markerfacecolor="white" if name in ("local", "root") else colour,
-                        linewidth=2 if name == "median" else 1.5, zorder=3 if name == "median" else 2)
-    axes.set_title(", ".join(filter(None, (OPERATIONS[operation], QUERIES[queries]))), fontsize=11)
-    axes.set_xlabel("points")
-    axes.set_ylabel(f"time per {'build' if operation == 'build' else 'query'} [{unit}]")
-    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if spans_little(axes) else (1,)))
-    axes.yaxis.set_major_formatter("{x:g}")
-    axes.yaxis.set_minor_formatter(NullFormatter())
-    axes.grid(True, which="major", alpha=0.4)
+def label_times(axis, limits, operation):
+    lower, upper = limits
+    axis.set_label_text(f"time per {'build [ms]' if operation == 'build' else 'query [µs]'}")
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if upper < 300 * lower else (1,)))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(NullFormatter())
+
+
+def draw_curves(axes, operation, peers):
+    draw_times(axes, operation, peers, lambda times, row, points: (points, times), 4)
+    axes.set(xscale="log", yscale="log", xlabel="points")
+    label_times(axes.yaxis, axes.get_ylim(), operation)
+
+
+def draw_rows(axes, operation, peers):
+    draw_times(axes, operation, peers, lambda times, row, points: (times, [row]), 7)
+    labels = [line.get_label() for line in axes.get_lines()]
+    axes.set(xscale="log", ylim=(len(labels) - 0.5, -0.5))
+    axes.set_yticks(range(len(labels)), labels, fontsize=9)
+    label_times(axes.xaxis, axes.get_xlim(), operation)
 
 
 def draw_figure(data, threads, pictures, directory):
     order = [(operation, queries) for operation in OPERATIONS for queries in QUERIES
              if (operation, queries) in pictures]
+    sizes = {points for peers in pictures.values() for times in peers.values() for points in times}
+    has_one_size = len(sizes) == 1
     columns = min(3, len(order))
     rows = -(-len(order) // columns)
-    # Strips of their own: the title above the pictures, the legend below.
-    title, legend = 0.35, 0.8
-    height = 3.3 * rows + title + legend
-    figure, grid = plt.subplots(rows, columns, figsize=(4.2 * columns, height), squeeze=False)
-    for axes, key in zip(grid.flat, order):
-        draw_picture(axes, *key, pictures[key])
+    # Strips of their own: the title above the pictures, the legend below; rows have their names beside them.
+    title, legend = 0.35, 0 if has_one_size else 0.8
+    height = (2.4 if has_one_size else 3.3) * rows + title + legend
+    figure, grid = plt.subplots(rows, columns, figsize=((5.2 if has_one_size else 4.2) * columns, height),
+                                squeeze=False)
+    for axes, (operation, queries) in zip(grid.flat, order):
+        draw = draw_rows if has_one_size else draw_curves
+        draw(axes, operation, pictures[operation, queries])
+        axes.set_title(", ".join(filter(None, (OPERATIONS[operation], QUERIES[queries]))), fontsize=11)
+        axes.grid(True, which="major", alpha=0.4)
     for axes in grid.flat[len(order):]:
         axes.set_visible(False)
-    handles = {}
-    for axes in grid.flat[:len(order)]:
-        handles.update((line.get_label(), line) for line in axes.get_lines())
-    figure.suptitle(f"Point locators on {data}, {threads} thread{'s' if threads > 1 else ''} (medians)",
+    of_points = f", {next(iter(sizes)):,} points" if has_one_size else ""
+    figure.suptitle(f"Point locators on {data}{of_points}, {threads} thread{'s' if threads > 1 else ''} (medians)",
                     y=1 - 0.3 * title / height)
     figure.tight_layout(rect=(0, legend / height, 1, 1))
-    figure.legend(handles.values(), handles.keys(), loc="lower center", ncol=min(columns + 1, 4), fontsize=9)
+    if not has_one_size:
+        handles = {line.get_label(): line for axes in grid.flat[:len(order)] for line in axes.get_lines()}
+        figure.legend(handles.values(), handles.keys(), loc="lower center", ncol=min(columns + 1, 4), fontsize=9)
     path = os.path.join(directory, f"locator-{data}-{threads}.png")
     figure.savefig(path, dpi=110)
     plt.close(figure)
