@@ -222,7 +222,8 @@ std::string GetHelp()
     Join(GetSampleNames()) +
     "; default: all but tails and plane\n"
     "  --sizes LIST            numbers of points; default 10000,100000,1000000\n"
-    "  --points FILE           in place of these two: points of your own, in float, from a .vtp file\n"
+    "  --points FILE           in place of these two: points of your own, in float, from a .vtp "
+    "file\n"
     "  --queries LIST          of " +
     Join(GetQueryNames()) +
     "; default: near and uniform\n"
