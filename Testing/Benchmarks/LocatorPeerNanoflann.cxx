@@ -35,6 +35,42 @@ private:
   const LocatorData& Data;
 };
 
+/** What nanoflann's RadiusResultSet does, whose items are of another type in each version, as are
+ * its parameters for leaving them unsorted. */
+class PointsWithin
+{
+public:
+  using DistanceType = double;
+  using Items = std::vector<std::pair<std::uint32_t, double>>;
+
+  PointsWithin(double radius2, Items& items)
+    : Radius2(radius2)
+    , Found(items)
+  {
+    this->Found.clear();
+  }
+
+  // The names are nanoflann's.
+  // NOLINTBEGIN(readability-identifier-naming)
+  bool addPoint(double distance2, std::uint32_t id)
+  {
+    if (distance2 < this->Radius2)
+    {
+      this->Found.emplace_back(id, distance2);
+    }
+    return true;
+  }
+  double worstDist() const { return this->Radius2; }
+  std::size_t size() const { return this->Found.size(); }
+  bool full() const { return true; }
+  void sort() {}
+  // NOLINTEND(readability-identifier-naming)
+
+private:
+  const double Radius2;
+  Items& Found;
+};
+
 class NanoflannPeer : public LocatorPeer
 {
 public:
@@ -66,7 +102,8 @@ public:
   void FindWithin(double radius, const Position& x, Answer& answer) override
   {
     answer.Ids.clear();
-    this->Index->radiusSearch(x.data(), radius * radius, answer.IdsAndDistances2, this->Unsorted);
+    PointsWithin within(radius * radius, answer.IdsAndDistances2);
+    this->Index->findNeighbors(within, x.data(), {});
   }
 
   std::vector<vtkIdType> GetIds(const Answer& answer) const override
@@ -87,7 +124,6 @@ private:
 
   std::unique_ptr<Cloud> Points;
   std::unique_ptr<Tree> Index;
-  const nanoflann::SearchParams Unsorted{ 32, 0.0F, false };
 };
 }
 

@@ -2,6 +2,7 @@
 #include "LocatorResults.h"
 
 #include "Median.h"
+#include "RunError.h"
 
 #include <cstdio>
 #include <limits>
@@ -14,11 +15,12 @@ void LocatorResults::ReportRuns(const std::vector<Run>& runs)
   for (const Run& run : runs)
   {
     const std::string& name = run.run_name.function_name;
-    if (run.error_occurred)
+    const std::string error = GetRunError(run);
+    if (!error.empty())
     {
-      if (this->Errors.emplace(name, run.error_message).second)
+      if (this->Errors.emplace(name, error).second)
       {
-        std::fprintf(stderr, "error: %s: %s\n", name.c_str(), run.error_message.c_str());
+        std::fprintf(stderr, "error: %s: %s\n", name.c_str(), error.c_str());
       }
     }
     else if (run.run_type == Run::RT_Iteration)

@@ -3,6 +3,7 @@
 #define Testing_Benchmarks_RatioReporter_h
 
 #include "Median.h"
+#include "RunError.h"
 
 #include <benchmark/benchmark.h>
 
@@ -28,7 +29,7 @@ public:
     ConsoleReporter::ReportRuns(runs);
     for (const Run& run : runs)
     {
-      if (run.run_type == Run::RT_Iteration && !run.error_occurred)
+      if (run.run_type == Run::RT_Iteration && GetRunError(run).empty())
       {
         const std::string& name = run.run_name.function_name;
         const std::size_t slash = name.find('/');
@@ -37,7 +38,7 @@ public:
         this->Times[key].push_back(
           1e3 * run.real_accumulated_time / static_cast<double>(run.iterations));
       }
-      this->Failed = this->Failed || run.error_occurred;
+      this->Failed = this->Failed || !GetRunError(run).empty();
     }
   }
 
