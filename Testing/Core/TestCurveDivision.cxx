@@ -204,6 +204,23 @@ TEST(TestCurveDivisionFacts, SamplesAreSmallAndFollowNoRule)
   }
 }
 
+TEST(TestCurveDivisionFacts, PartsOfFewPointsDifferByOneAtMost)
+{
+  for (std::size_t number = 1; number <= 20; ++number)
+  {
+    const CurveKeys<3> keys = MakeRandomKeys<3>(number, 71);
+    for (const std::size_t parts : { 1U, 2U, 5U, 8U })
+    {
+      const CurveKeys<3> sample = CurveDivision<3>::Sample(keys, number, parts);
+      EXPECT_EQ(sample, keys);
+      const CurveDivision<3> division(sample, parts, MortonKey<3>::MaxDepth);
+      const std::vector<std::size_t> counts = division.Deal(keys).Counts;
+      const auto extremes = std::minmax_element(counts.begin(), counts.end());
+      EXPECT_LE(*extremes.second - *extremes.first, 1U) << number << " keys, " << parts << " parts";
+    }
+  }
+}
+
 TEST(TestCurveDivisionFacts, PartsHaveAboutAsManyPoints)
 {
   const PointSample<3, double> sample{ "many", MakeClusteredPoints<3, double>(40000, 13) };

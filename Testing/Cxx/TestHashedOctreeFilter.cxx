@@ -141,6 +141,15 @@ TEST(TestHashedOctreeFilter, TellsThePipelineOfNoPlaceOfThePoints)
   }
 }
 
+TEST(TestHashedOctreeFilter, AllOutputsAreUpdatedAtOnce)
+{
+  const std::vector<double> points = MakeUniformPoints<3, double>(100, 1);
+  TestedFilter filter(points);
+  filter->Update(-1); // No output in particular.
+  EXPECT_EQ(filter.Executions, 1);
+  ExpectOctree(filter, OracleOctree(points, 1));
+}
+
 TEST(TestHashedOctreeFilter, RunsOnlyAfterAChange)
 {
   const std::vector<double> points = MakeUniformPoints<3, double>(100, 1);

@@ -61,6 +61,15 @@ TEST(TestHashedOctreeFilterBadInput, NothingOfAnEarlierRunIsLeft)
   filter.UpdateToNothing();
 }
 
+TEST(TestHashedOctreeFilterBadInput, AnErrorIsSaidOnce)
+{
+  TestedFilter filter(MakeUniformPoints<3, double>(50, 41));
+  filter->UseCustomBoundsOn();
+  filter->SetCustomBounds(1, 0, 0, 1, 0, 1);
+  filter.UpdateInError("bounds");
+  filter.UpdateToNothing(); // It would find the same.
+}
+
 TEST(TestHashedOctreeFilterBadInput, AmrIsRefusedOnce)
 {
   const auto grids = MakeEmptyAmr({ 2, 1 });

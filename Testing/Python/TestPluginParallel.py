@@ -8,9 +8,11 @@ import numpy
 from octreetesting import CELL_ARRAYS, COSTS, HISTOGRAM, argument, arrays, write_sphere
 from paraview import simple
 from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_VOXEL, vtkDataSetAttributes, vtkImageData,
-                                           vtkMultiBlockDataSet, vtkPartitionedDataSet, vtkPolyData)
+from vtkmodules.vtkCommonCore import vtkInformationVector, vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_PIXEL, VTK_VOXEL, vtkDataObject,
+                                           vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet,
+                                           vtkPartitionedDataSet, vtkPolyData)
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from hashedoctree import (vtkHashedOctreeFilter, vtkHashedOctreeLocateFilter,
@@ -54,9 +56,8 @@ def mark(data, first):
     return data
 
 
-def run(data, pieces, errors=None, filter_=vtkHashedOctreeFilter, queries=None, **properties):
-    """The filter's outputs for a data set in this process, as one of so many pieces. Where errors
-    are expected, notes their texts and those of warnings."""
+def make_filter(data, filter_=vtkHashedOctreeFilter, queries=None, **properties):
+    """A filter of a data set in this process."""
     octree = filter_()
     octree.SetInputData(data)
     if queries is not None:
@@ -64,6 +65,13 @@ def run(data, pieces, errors=None, filter_=vtkHashedOctreeFilter, queries=None, 
     for name, value in properties.items():
         getattr(octree, "Set" + name)(value)
     assert octree.GetController() == controller
+    return octree
+
+
+def run(data, pieces, errors=None, **properties):
+    """The outputs of make_filter(), as one of so many pieces. Where errors are expected, notes
+    their texts and those of warnings."""
+    octree = make_filter(data, **properties)
     texts = [] if errors is None else errors
 
     def note(_caller, _event, text):
@@ -111,8 +119,12 @@ def expect_same_field_data(output, expected):
 
 def expect_same_tree(pieces, whole):
     """The nodes of all processes are those of one tree of all points, and so is what is told of
-    it; the tables are in the first process."""
+    it; the tables are in the first process. What no two runs have in common is at least the same in
+    all processes."""
     parts = gather("rows", rows(pieces[0]))
+    told = arrays(pieces[0].GetFieldData())
+    told = gather("told", numpy.concatenate([told[name] for name in sorted(TIMES | MEMORY)]))
+    assert all(numpy.array_equal(of_process, told[0]) for of_process in told), told
     for piece, expected in zip(pieces, whole):
         expect_same_field_data(piece, expected)
     if rank > 0:
@@ -159,8 +171,24 @@ for points, properties in [
         if points is cube and not properties:
             expect_shares(piece, len(cube))
 
+# Shares are of all points, also where one process has most of them, close to each other.
+crowd = 0.1 * random.random((40000, 3))
+mine = crowd if rank == 0 else cube[rank::PROCESSES]
+expect_shares(run(make_points(mine), PROCESSES), len(crowd) + len(cube) * 3 // PROCESSES)
+
 # The neighbours of leaves, which lie in any part, are those in the one tree.
 NEIGHBOR_ARRAYS = [*CELL_ARRAYS, "Role", "Case"]
+
+
+def expect_same_neighbors(piece, whole):
+    """The cells of all processes are those of one tree, and so is what is told of them."""
+    parts = gather("rows", rows(piece, NEIGHBOR_ARRAYS))
+    expect_same_field_data(piece, whole)
+    if rank == 0:
+        assert numpy.array_equal(sort_by_key(numpy.concatenate(parts)),
+                                 sort_by_key(rows(whole, NEIGHBOR_ARRAYS)))
+
+
 for points, properties in [
         (clusters, {"Center": clusters[3]}), (cube, {"Center": (0.5, 0.5, 0.5)}),
         (cube, {"Center": (0.9, 0.2, 0.6), "IncludeEmptyLeaves": True, "SearchMode": 1,
@@ -173,11 +201,7 @@ for points, properties in [
     for order in [numpy.argsort(points[:, 0]), numpy.arange(len(points))]:
         piece, = run(make_points(numpy.array_split(points[order], PROCESSES)[rank]), PROCESSES,
                      **properties)
-        parts = gather("rows", rows(piece, NEIGHBOR_ARRAYS))
-        expect_same_field_data(piece, whole)
-        if rank == 0:
-            assert numpy.array_equal(sort_by_key(numpy.concatenate(parts)),
-                                     sort_by_key(rows(whole, NEIGHBOR_ARRAYS)))
+        expect_same_neighbors(piece, whole)
 # A tree that is kept of a process's own points is not taken for one of all, nor the other way round.
 mine = make_points(cube[rank::PROCESSES])
 neighbors = vtkHashedOctreeNeighborsFilter()
@@ -192,8 +216,8 @@ for i, pieces in enumerate([1, PROCESSES, PROCESSES, 1, 1, PROCESSES]):
     assert numpy.array_equal(rows(piece, NEIGHBOR_ARRAYS), rows(whole, NEIGHBOR_ARRAYS)), i
 
 errors = []
-run(make_points(cube[rank::PROCESSES]), PROCESSES, errors, vtkHashedOctreeNeighborsFilter,
-    UseLeafKey=True, LeafKey=2)
+run(make_points(cube[rank::PROCESSES]), PROCESSES, errors,
+    filter_=vtkHashedOctreeNeighborsFilter, UseLeafKey=True, LeafKey=2)
 assert len(errors) == 1 and "names no leaf" in errors[0], errors
 
 
@@ -223,7 +247,9 @@ locating = {"filter_": vtkHashedOctreeLocateFilter}
 for points, properties in [
         (clusters, {}), (clusters, {"IncludeEmptyLeaves": True, "MaxPointsPerLeaf": 4}),
         (cube, {"StartDepthModel": 3, "FixedStartDepth": 9, "FrequencyModel": 1}),
-        (flat, {"FrequencyModel": 2}), (cube[:2], {}), (cube, {"MaxDepth": 2})]:
+        (flat, {"FrequencyModel": 2}), (cube[:2], {}), (cube, {"MaxDepth": 2}),
+        # The longest way from the root.
+        (numpy.repeat(clusters[:100], 2, axis=0), {"Dimension": 2, "Plane": 1, "MaxDepth": 31})]:
     whole = run(make_points(points), 1, queries=make_points(queries), **locating, **properties)
     for mine in [numpy.array_split(numpy.arange(len(queries)), PROCESSES)[rank],
                  numpy.arange(len(queries)) if rank == 1 else numpy.arange(0)]:
@@ -233,7 +259,7 @@ for points, properties in [
 
 # Queries that another process has, too, are found, and count there.
 whole = run(make_points(cube), 1, queries=make_points(queries), **locating)
-mine = numpy.array_split(numpy.arange(len(queries)), PROCESSES)[rank]
+mine = numpy.array_split(numpy.arange(len(queries)), PROCESSES)[-1 - rank]
 others = numpy.concatenate([mine, numpy.arange(50 * rank)])  # One process has none of them.
 warnings = []
 piece = run(make_points(cube[rank::PROCESSES]), PROCESSES, warnings,
@@ -300,19 +326,30 @@ for kind in [vtkMultiBlockDataSet, vtkPartitionedDataSet]:
         elif rank == 0:
             expect_same_field_data(piece[1].GetBlock(i), expected[1])
 
-# Other blocks in each process are other data sets: each has its own trees.
+# None of several processes takes a tree that it has kept while those without points make theirs.
+neighbors = make_filter(make_blocks(vtkMultiBlockDataSet,
+                                    make_points(cube[rank::2]) if rank < 2 else None),
+                        filter_=vtkHashedOctreeNeighborsFilter)
+for center in ((0.3, 0.5, 0.5), (0.7, 0.2, 0.6)):
+    neighbors.SetCenter(center)
+    neighbors.UpdatePiece(rank, PROCESSES, 0)
+    whole, = run(make_points(cube), 1, filter_=vtkHashedOctreeNeighborsFilter, Center=center)
+    expect_same_neighbors(neighbors.GetOutputDataObject(0).GetBlock(0), whole)
+
+# Other blocks in each process are other data sets: each has its own trees. One may have no block.
 def mine_of(blocks):
     """So many partitions."""
     return make_blocks(vtkPartitionedDataSet,
                        *[make_points(cube[i::PROCESSES]) for i in range(blocks)])
 
 
-mine = mine_of(rank + 1)
-piece = run(mine, PROCESSES)
-whole = run(mine, 1)
-assert piece[0].GetNumberOfPartitions() == rank + 1
-assert numpy.array_equal(rows(piece[0].GetPartition(rank)), rows(whole[0].GetPartition(rank)))
-assert piece[1].GetBlock(rank).GetNumberOfRows() == whole[1].GetBlock(rank).GetNumberOfRows() > 1
+for blocks in (rank + 1, rank):
+    mine = mine_of(blocks)
+    piece, whole = (run(mine, pieces) for pieces in (PROCESSES, 1))
+    assert piece[0].GetNumberOfPartitions() == blocks
+    for i in range(blocks):
+        assert numpy.array_equal(rows(piece[0].GetPartition(i)), rows(whole[0].GetPartition(i)))
+        assert piece[1].GetBlock(i).GetNumberOfRows() == whole[1].GetBlock(i).GetNumberOfRows() > 1
 
 # Also where they are as many, at other places.
 of_cube = make_points(cube[rank::PROCESSES])
@@ -339,6 +376,16 @@ blocks = [make_points(cube[:30]) if i == rank else None for i in range(PROCESSES
 piece = run(mine_of(rank + 1), PROCESSES, queries=make_blocks(vtkMultiBlockDataSet, *blocks),
             **locating)
 assert [i for i in range(PROCESSES) if piece[1].GetBlock(i) is not None] == [rank]
+
+# Each then tells of its own queries, and nobody of what another one may have.
+outside = {"UseCustomBounds": True, "CustomBounds": (2, 3, 2, 3, 2, 3)}
+no_leaf = {"filter_": vtkHashedOctreeNeighborsFilter, "UseLeafKey": True, "LeafKey": 2}
+for properties, words in ((outside, None), (no_leaf, None),
+                          ({"queries": make_points(queries[17 - rank:18]), **locating},
+                           f"1 of {rank + 1} query points")):
+    texts = []
+    run(mine_of(rank + 1), PROCESSES, texts, **properties)
+    assert len(texts) == (words is not None) and all(words in text for text in texts), texts
 
 # So it is without a controller.
 octree = vtkHashedOctreeFilter()
@@ -368,9 +415,11 @@ for nothing in (make_points(cube[:0]), mark(make_points(cube), 0)):
     assert piece[0].GetFieldData().GetNumberOfArrays() == 0
 
 # Warnings are said once, of the points of all.
-outside = {"UseCustomBounds": True, "CustomBounds": (2, 3, 2, 3, 2, 3)}
+empty = {"filter_": vtkHashedOctreeNeighborsFilter, "Center": (0.5, 0.5, 0.5),
+         "IncludeEmptyLeaves": False}
 for points, properties, words in ((holes, {}, f"{len(holes[::7])} of {len(holes)} points"),
-                                  (cube, outside, "lies in CustomBounds")):
+                                  (cube, outside, "lies in CustomBounds"),
+                                  (clusters, empty, "Center lies in an empty cell")):
     warnings = []
     run(make_points(points[rank::PROCESSES]), PROCESSES, warnings, **properties)
     assert len(warnings) == (1 if rank == 0 else 0), warnings
@@ -380,30 +429,54 @@ warnings = []
 run(run(make_points(cube), 1)[0] if rank == 2 else make_points(cube), PROCESSES, warnings)
 assert len(warnings) == (1 if rank == 0 else 0), warnings
 assert all("corners" in warning for warning in warnings), warnings
+# Or where two do, of the same block.
+warnings = []
+run(make_blocks(vtkMultiBlockDataSet, make_points(cube), image if rank > 1 else None), PROCESSES,
+    warnings)
+assert len(warnings) == (1 if rank == 0 else 0), warnings
+assert all("images: 1." in warning for warning in warnings), warnings
 
-# And one process that is aborted.
-octree = vtkHashedOctreeFilter()
+
+def expect_abort(octree, port=0, progress=0.0):
+    """One process that is aborted, beyond this progress, ends the update of all; the next one runs
+    in all. Both are of an output."""
+    requests = vtkInformationVector()
+    requests.SetNumberOfInformationObjects(octree.GetNumberOfOutputPorts())
+    request = requests.GetInformationObject(port)
+    request.Set(vtkStreamingDemandDrivenPipeline.UPDATE_PIECE_NUMBER(), rank)
+    request.Set(vtkStreamingDemandDrivenPipeline.UPDATE_NUMBER_OF_PIECES(), PROCESSES)
+    request.Set(vtkStreamingDemandDrivenPipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+    errors = []
+    octree.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
+    observer = octree.AddObserver("ProgressEvent", lambda *_: octree.SetAbortExecute(
+        rank == 2 and octree.GetProgress() > progress))
+    octree.GetExecutive().Update(port, requests)
+    output = octree.GetOutputDataObject(0)
+    assert output.GetNumberOfElements(vtkDataObject.POINT) == 0, output
+    assert errors == ([] if rank == 2 else ["error"]), errors
+    octree.RemoveObserver(observer)
+    octree.SetAbortExecute(0)
+    octree.GetExecutive().Update(port, requests)
+    assert errors == ([] if rank == 2 else ["error"]), errors
+
+
+# And one process that is aborted: the others wait for its points, for its queries or, where each
+# has other blocks, for its end.
 mine = make_points(cube[rank::PROCESSES])
-octree.SetInputData(mine)
-errors = []
-octree.AddObserver("ErrorEvent", lambda *_: errors.append("error"))
-observer = octree.AddObserver("ProgressEvent", lambda *_: octree.SetAbortExecute(rank == 2))
-octree.UpdatePiece(rank, PROCESSES, 0)
-assert octree.GetOutput().GetNumberOfCells() == 0 and bool(errors) == (rank != 2), errors
-octree.RemoveObserver(observer)
-octree.SetAbortExecute(0)
-octree.UpdatePiece(rank, PROCESSES, 0)
-expect_same_tree([octree.GetOutputDataObject(port) for port in range(3)],
-                 run(make_points(cube), 1))
+for port in (0, 2):
+    octree = make_filter(mine)
+    expect_abort(octree, port)
+    expect_same_tree([octree.GetOutputDataObject(i) for i in range(3)], run(make_points(cube), 1))
+expect_abort(make_filter(mine, queries=mine, **locating), progress=0.3)
+expect_abort(make_filter(mine_of(rank + 1)))
 
 # Blocks in some processes and none in others.
-errors = []
-run(mine if rank else make_blocks(vtkMultiBlockDataSet, mine), PROCESSES, errors)
-assert len(errors) == 1 and "give all of them blocks" in errors[0], errors
-errors = []
-run(mine, PROCESSES, errors, queries=mine if rank else make_blocks(vtkMultiBlockDataSet, mine),
-    **locating)
-assert len(errors) == 1 and "give all of them blocks" in errors[0], errors
+for have_blocks in (rank == 0, rank > 0):
+    blocks = make_blocks(vtkMultiBlockDataSet, mine) if have_blocks else mine
+    for arguments in ({"data": blocks}, {"data": mine, "queries": blocks, **locating}):
+        errors = []
+        run(pieces=PROCESSES, errors=errors, **arguments)
+        assert len(errors) == 1 and "give all of them blocks" in errors[0], errors
 
 
 def run_proxy(source, cell_type, **properties):
