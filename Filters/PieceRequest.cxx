@@ -17,19 +17,14 @@ vtkInformation* GetRequested(vtkInformation* request, vtkInformationVector* outp
   const int port = request->Get(Pipeline::FROM_OUTPUT_PORT());
   return outputVector->GetInformationObject(std::max(port, 0)); // 0 also if unknown.
 }
-
-bool IsPieceRequested(vtkInformation* request, vtkInformationVector* outputVector)
-{
-  vtkInformation* requested = GetRequested(request, outputVector);
-  return requested->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
-    requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
-}
 }
 
 ProcessGroup FindProcesses(
   vtkHashedOctreeAlgorithm* algorithm, vtkInformation* request, vtkInformationVector* outputVector)
 {
-  if (!IsPieceRequested(request, outputVector))
+  vtkInformation* requested = GetRequested(request, outputVector);
+  const int pieces = requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()); // 0 also if unknown.
+  if (pieces <= 1)
   {
     return {};
   }
@@ -38,9 +33,7 @@ ProcessGroup FindProcesses(
   {
     return ProcessGroup::OfPart();
   }
-  vtkInformation* requested = GetRequested(request, outputVector);
-  const bool isOwn =
-    requested->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == controller->GetNumberOfProcesses() &&
+  const bool isOwn = pieces == controller->GetNumberOfProcesses() &&
     requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) == controller->GetLocalProcessId();
   return isOwn ? ProcessGroup(controller) : ProcessGroup::OfPart();
 }
