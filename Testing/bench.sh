@@ -67,9 +67,10 @@ run_paper() {
 }
 
 run_locator() {
-  local terrain="$build/data/terrain.vtp" output status=0
+  local terrain="$build/data/terrain.vtp" output points status=0
   output="$(get_option --output "$build/bench" "$@")"
-  "$root/Data/make_terrain.sh" "$python" "$terrain"
+  points="$(get_option --points '' "$@")"
+  [[ -n "$points" ]] || "$root/Data/make_terrain.sh" "$python" "$terrain"
   mkdir -p "$output"
   "$program" --terrain "$terrain" --output "$output" "$@" || status=$?
   ((status <= 1)) || exit "$status"

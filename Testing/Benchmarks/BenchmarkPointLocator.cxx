@@ -66,10 +66,10 @@ std::size_t RunSamples(const LocatorOptions& options, LocatorResults& results)
   return count;
 }
 
-/** The options, which learn what there is to measure, say so to the report. */
+/** Sets Data and Sizes to what the file has, since the report takes its rows from them. */
 std::size_t RunOwnData(LocatorOptions& options, LocatorResults& results)
 {
-  const LocatorData data = ReadOwnData(options.PointsPath);
+  const LocatorData data = ReadOwnData(*options.PointsPath);
   options.Data = { data.GetName() };
   options.Sizes = { data.GetNumberOfPoints() };
   return RunGroup(options, data, results);
@@ -82,7 +82,7 @@ int Run(const std::string& program, LocatorOptions options)
   ReportFile markdown(options.OutputDirectory + "/locator.md");
   LocatorResults results(json.GetStream());
   const std::size_t count =
-    options.PointsPath.empty() ? RunSamples(options, results) : RunOwnData(options, results);
+    options.PointsPath ? RunOwnData(options, results) : RunSamples(options, results);
   results.Close();
   if (count == 0)
   {

@@ -9,12 +9,18 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace locator_benchmark
 {
 vtkSmartPointer<vtkPoints> ReadPoints(const std::string& path)
 {
+  if (!std::ifstream(path))
+  {
+    throw std::runtime_error("cannot read '" + path + "'; give a .vtp file with points");
+  }
   vtkNew<vtkXMLPolyDataReader> reader;
   vtkSmartPointer<vtkPoints> points;
   if (reader->CanReadFile(path.c_str()))
@@ -37,8 +43,8 @@ LocatorData ReadOwnData(const std::string& path)
   const auto count = static_cast<std::size_t>(points->GetNumberOfPoints());
   if (count < LocatorOptions::LeastSize)
   {
-    throw std::runtime_error("'" + path + "' has " + std::to_string(count) +
-      " points, but it takes " + std::to_string(LocatorOptions::LeastSize));
+    throw std::runtime_error("'" + path + "' has only " + std::to_string(count) +
+      " points; give a file of at least " + std::to_string(LocatorOptions::LeastSize));
   }
   std::vector<float> coordinates;
   coordinates.reserve(3 * count);
@@ -53,7 +59,8 @@ LocatorData ReadOwnData(const std::string& path)
         coordinates.begin(), coordinates.end(), [](float x) { return std::isfinite(x); }))
   {
     throw std::runtime_error("'" + path +
-      "' has points that are not finite, which other locators cannot take; remove them");
+      "' has points that are not finite in float, which other locators cannot take; remove or "
+      "scale them");
   }
   return { std::filesystem::path(path).stem().string(), std::move(coordinates) };
 }

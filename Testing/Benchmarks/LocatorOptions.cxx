@@ -120,7 +120,7 @@ void CheckOther(const std::string& name)
 /** The terrain may come last; that its file is missing should be said at once. */
 void CheckTerrain(const LocatorOptions& options)
 {
-  const bool isWanted = options.PointsPath.empty() &&
+  const bool isWanted = !options.PointsPath &&
     std::find(options.Data.begin(), options.Data.end(), "terrain") != options.Data.end();
   if (isWanted && !options.HelpWanted && !std::ifstream(options.TerrainPath))
   {
@@ -137,7 +137,7 @@ std::map<std::string, Setter> MakeSetters()
   std::map<std::string, Setter> setters;
   setters["--data"] = [](LocatorOptions& options, const std::string& value)
   { options.Data = ReadNames("--data", value, GetSampleNames()); };
-  // More than a float tells apart help nobody.
+  // More points than floats can tell apart would help nobody.
   setters["--sizes"] = [](LocatorOptions& options, const std::string& value)
   {
     options.Sizes = ReadCounts<std::size_t>("--sizes", value, LocatorOptions::LeastSize, 100000000);

@@ -4,6 +4,8 @@
 
 #include "LocatorCase.h"
 
+#include <optional>
+
 namespace locator_benchmark
 {
 /** What to measure, from the command line. */
@@ -24,8 +26,8 @@ struct LocatorOptions
   /** Seconds after which a repetition stops counting. */
   double RepetitionTime = 0.04;
   std::string TerrainPath;
-  /** Where it is not empty, what to measure in place of Data and Sizes. */
-  std::string PointsPath;
+  /** A file of points to measure in place of Data and Sizes, if given. */
+  std::optional<std::string> PointsPath;
   std::string OutputDirectory = ".";
   /** Arguments that are not ours, but Google Benchmark's. */
   std::vector<std::string> Others;

@@ -35,8 +35,8 @@ private:
   const LocatorData& Data;
 };
 
-/** What nanoflann's RadiusResultSet does, whose items are of another type in each version, as are
- * its parameters for leaving them unsorted. */
+/** Does what nanoflann's RadiusResultSet does. That one's items have another type since
+ * nanoflann 1.5, and so have the parameters by which they are left unsorted. */
 class PointsWithin
 {
 public:

@@ -73,7 +73,7 @@ double MakeRadius(
   std::vector<double> distances;
   for (std::size_t i = 0; i < std::min<std::size_t>(positions.size(), 501); ++i)
   {
-    // (A radius of 0 would find the points at one place for us and VTK, and none for nanoflann.)
+    // With radius 0, we and VTK would find the points at that place, and nanoflann none.
     const double distance = GetDistance(data, locator, positions[i], 29);
     if (distance > 0.0)
     {

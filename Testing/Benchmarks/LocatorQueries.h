@@ -21,7 +21,8 @@ struct LocatorQueries
   std::vector<Position> Points;
   /** Above the box along z by ten times its largest side. */
   std::vector<Position> Above;
-  /** Median distance from the near positions to their 30th closest point. */
+  /** Slightly above the median distance from near positions to their 30th closest point, of those
+   * where it is above 0; 1 if there are none. */
   double Radius;
 
   const std::vector<Position>& Get(const std::string& kind) const

@@ -67,8 +67,8 @@ def load_medians(path):
 
 
 def draw_times(axes, operation, peers, get_places, marker_size):
-    """Of each peer the times, in milliseconds for builds and in microseconds for queries, at the places that
-    get_places makes of them, the peer's row and its numbers of points."""
+    """Draws the times of each peer, in milliseconds for builds and in microseconds for queries.
+    get_places(times, row, points) gives the x and y of its marks; row counts the peers."""
     factor = 1e3 if operation == "build" else 1e6
     for row, name in enumerate(name for name in PEERS if name in peers):
         label, colour, style = PEERS[name]
@@ -80,8 +80,8 @@ def draw_times(axes, operation, peers, get_places, marker_size):
                   linewidth=2 if name == "median" else 1.5, zorder=3 if name == "median" else 2)
 
 
-def label_times(axis, limits, operation):
-    lower, upper = limits
+def label_times(axis, operation):
+    lower, upper = axis.get_view_interval()
     axis.set_label_text(f"time per {'build [ms]' if operation == 'build' else 'query [µs]'}")
     axis.set_major_locator(LogLocator(subs=(1, 2, 5) if upper < 300 * lower else (1,)))
     axis.set_major_formatter("{x:g}")
@@ -91,7 +91,7 @@ def label_times(axis, limits, operation):
 def draw_curves(axes, operation, peers):
     draw_times(axes, operation, peers, lambda times, row, points: (points, times), 4)
     axes.set(xscale="log", yscale="log", xlabel="points")
-    label_times(axes.yaxis, axes.get_ylim(), operation)
+    label_times(axes.yaxis, operation)
 
 
 def draw_rows(axes, operation, peers):
@@ -99,7 +99,7 @@ def draw_rows(axes, operation, peers):
     labels = [line.get_label() for line in axes.get_lines()]
     axes.set(xscale="log", ylim=(len(labels) - 0.5, -0.5))
     axes.set_yticks(range(len(labels)), labels, fontsize=9)
-    label_times(axes.xaxis, axes.get_xlim(), operation)
+    label_times(axes.xaxis, operation)
 
 
 def draw_figure(data, threads, pictures, directory):
@@ -107,15 +107,14 @@ def draw_figure(data, threads, pictures, directory):
              if (operation, queries) in pictures]
     sizes = {points for peers in pictures.values() for times in peers.values() for points in times}
     has_one_size = len(sizes) == 1
+    # The legend has a strip below the pictures; rows have their names beside them.
+    draw, panel_width, panel_height, legend = (draw_rows, 5.2, 2.4, 0) if has_one_size else (draw_curves, 4.2, 3.3, 0.8)
     columns = min(3, len(order))
     rows = -(-len(order) // columns)
-    # Strips of their own: the title above the pictures, the legend below; rows have their names beside them.
-    title, legend = 0.35, 0 if has_one_size else 0.8
-    height = (2.4 if has_one_size else 3.3) * rows + title + legend
-    figure, grid = plt.subplots(rows, columns, figsize=((5.2 if has_one_size else 4.2) * columns, height),
-                                squeeze=False)
+    title = 0.35
+    height = panel_height * rows + title + legend
+    figure, grid = plt.subplots(rows, columns, figsize=(max(7.5, panel_width * columns), height), squeeze=False)
     for axes, (operation, queries) in zip(grid.flat, order):
-        draw = draw_rows if has_one_size else draw_curves
         draw(axes, operation, pictures[operation, queries])
         axes.set_title(", ".join(filter(None, (OPERATIONS[operation], QUERIES[queries]))), fontsize=11)
         axes.grid(True, which="major", alpha=0.4)
@@ -125,7 +124,7 @@ def draw_figure(data, threads, pictures, directory):
     figure.suptitle(f"Point locators on {data}{of_points}, {threads} thread{'s' if threads > 1 else ''} (medians)",
                     y=1 - 0.3 * title / height)
     figure.tight_layout(rect=(0, legend / height, 1, 1))
-    if not has_one_size:
+    if legend:
         handles = {line.get_label(): line for axes in grid.flat[:len(order)] for line in axes.get_lines()}
         figure.legend(handles.values(), handles.keys(), loc="lower center", ncol=min(columns + 1, 4), fontsize=9)
     path = os.path.join(directory, f"locator-{data}-{threads}.png")

@@ -41,13 +41,13 @@ def make_runs(data, sizes, peers, threads=1):
             for operation, queries in [("build", "-"), ("closest", "near"), ("radius", "uniform")]]
 
 
-def get_places(picture, peer):
+def find_colour(picture, peer):
     """Rows and columns of the picture in which the peer's colour is."""
     return np.nonzero(np.abs(picture[..., :3] - to_rgb(COLOURS[peer])).max(axis=-1) < 0.01)
 
 
 def has_colour(picture, peer):
-    return get_places(picture, peer)[0].size > 0
+    return find_colour(picture, peer)[0].size > 0
 
 
 # A picture for each data set and number of threads, with the peers that were measured. One that failed has no time.
@@ -62,19 +62,19 @@ one, two = (imread(path) for path in paths)
 assert has_colour(one, "median") and has_colour(one, "static") and not has_colour(one, "kdtree")
 assert has_colour(two, "median") and not has_colour(two, "static")
 # Curves go up with the number of points, the slower one above.
-rows, columns = get_places(one, "median")
+rows, columns = find_colour(one, "median")
 third = one.shape[1] // 3
 first = columns < third
 assert rows[first][columns[first].argmin()] > rows[first][columns[first].argmax()] + 50
-static_rows, static_columns = get_places(one, "static")
+static_rows, static_columns = find_colour(one, "static")
 assert static_rows[static_columns < third].min() < rows[first].min()
 
 # With one number of points a row for each peer, the slower one to the right.
 paths, errors, status = draw(write(make_runs("scan", [5000], ["median", "kdtree"])))
 assert status == 0 and not errors, errors
 picture = imread(paths[0])
-rows, columns = get_places(picture, "median")
-other_rows, other_columns = get_places(picture, "kdtree")
+rows, columns = find_colour(picture, "median")
+other_rows, other_columns = find_colour(picture, "kdtree")
 third = picture.shape[1] // 3
 assert columns[columns < third].max() < other_columns[other_columns < third].min()
 assert rows.max() < other_rows.min()

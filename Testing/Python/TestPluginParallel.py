@@ -69,7 +69,7 @@ def make_filter(data, filter_=vtkHashedOctreeFilter, queries=None, **properties)
 
 
 def run(data, pieces, errors=None, **properties):
-    """The outputs of make_filter(), as one of so many pieces. Where errors are expected, notes
+    """The outputs of that filter, as one of so many pieces. Where errors are expected, notes
     their texts and those of warnings."""
     octree = make_filter(data, **properties)
     texts = [] if errors is None else errors
@@ -119,8 +119,8 @@ def expect_same_field_data(output, expected):
 
 def expect_same_tree(pieces, whole):
     """The nodes of all processes are those of one tree of all points, and so is what is told of
-    it; the tables are in the first process. What no two runs have in common is at least the same in
-    all processes."""
+    it; the tables are in the first process. Times and memory, which differ from run to run, are the
+    same in all processes."""
     parts = gather("rows", rows(pieces[0]))
     told = arrays(pieces[0].GetFieldData())
     told = gather("told", numpy.concatenate([told[name] for name in sorted(TIMES | MEMORY)]))
@@ -326,7 +326,7 @@ for kind in [vtkMultiBlockDataSet, vtkPartitionedDataSet]:
         elif rank == 0:
             expect_same_field_data(piece[1].GetBlock(i), expected[1])
 
-# None of several processes takes a tree that it has kept while those without points make theirs.
+# Several processes keep no trees: one that took its own would not wait for those without points.
 neighbors = make_filter(make_blocks(vtkMultiBlockDataSet,
                                     make_points(cube[rank::2]) if rank < 2 else None),
                         filter_=vtkHashedOctreeNeighborsFilter)
@@ -438,8 +438,8 @@ assert all("images: 1." in warning for warning in warnings), warnings
 
 
 def expect_abort(octree, port=0, progress=0.0):
-    """One process that is aborted, beyond this progress, ends the update of all; the next one runs
-    in all. Both are of an output."""
+    """Aborting one process, beyond this progress, ends the update of all, with an error in the
+    others; the next update runs in all. Both updates are requested of output `port`."""
     requests = vtkInformationVector()
     requests.SetNumberOfInformationObjects(octree.GetNumberOfOutputPorts())
     request = requests.GetInformationObject(port)
@@ -457,6 +457,7 @@ def expect_abort(octree, port=0, progress=0.0):
     octree.RemoveObserver(observer)
     octree.SetAbortExecute(0)
     octree.GetExecutive().Update(port, requests)
+    assert octree.GetOutputDataObject(0).GetNumberOfElements(vtkDataObject.POINT) > 0
     assert errors == ([] if rank == 2 else ["error"]), errors
 
 
