@@ -175,16 +175,14 @@ std::vector<PointSample<Dim, double>> MakeDividedSamples()
 }
 
 /** Calls function(whole tree, builders) for all samples, limits and numbers of builders; with a
- * sanitizer, where that takes minutes, the numbers take turns. */
+ * sanitizer, where that takes minutes, these take turns, others with each sample. */
 template <int Dim, typename Function>
 void ForEachDivision(const Function& function)
 {
-  constexpr std::array<std::size_t, 4> numbers{ 1, 2, 3, 8 };
-  constexpr std::size_t step = Sanitized ? numbers.size() : 1;
+  constexpr std::size_t step = Sanitized ? 11 : 1; // No divisor of their number, 24.
   std::size_t turn = 0;
   for (const auto& sample : MakeDividedSamples<Dim>())
   {
-    ++turn; // There are six limits: without this one, each would meet the same two numbers.
     for (const typename hashedoctree::Octree<Dim>::Options options :
       { typename hashedoctree::Octree<Dim>::Options{},
         { 3, hashedoctree::MortonKey<Dim>::MaxDepth }, { 1, 4 }, { 40, 2 }, { 1, 0 },
@@ -195,9 +193,12 @@ void ForEachDivision(const Function& function)
       {
         continue; // Nothing to divide.
       }
-      for (std::size_t i = turn++ % step; i < numbers.size(); i += step)
+      for (const std::size_t number : { 1, 2, 3, 8 })
       {
-        const std::size_t number = numbers[i];
+        if (turn++ % step != 0)
+        {
+          continue;
+        }
         SCOPED_TRACE(::testing::Message()
           << sample.Name << ", " << number << " builders, at most " << options.MaxPointsPerLeaf
           << " points down to " << options.MaxDepth);
