@@ -7,7 +7,6 @@
 #include "Sanitized.h"
 #include "TreePart.h"
 
-#include <array>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -179,7 +178,8 @@ std::vector<PointSample<Dim, double>> MakeDividedSamples()
 template <int Dim, typename Function>
 void ForEachDivision(const Function& function)
 {
-  constexpr std::size_t step = Sanitized ? 11 : 1; // No divisor of their number, 24.
+  // Nothing divides both it and 24, their number: 11 samples meet all of them.
+  constexpr std::size_t step = Sanitized ? 11 : 1;
   std::size_t turn = 0;
   for (const auto& sample : MakeDividedSamples<Dim>())
   {
