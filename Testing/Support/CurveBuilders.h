@@ -7,6 +7,7 @@
 #include "Sanitized.h"
 #include "TreePart.h"
 
+#include <array>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -174,15 +175,16 @@ std::vector<PointSample<Dim, double>> MakeDividedSamples()
 }
 
 /** Calls function(whole tree, builders) for all samples, limits and numbers of builders; with a
- * sanitizer, where that takes minutes, these take turns, others with each sample. */
+ * sanitizer, where that takes minutes, the numbers take turns. */
 template <int Dim, typename Function>
 void ForEachDivision(const Function& function)
 {
-  // Nothing divides both it and 24, their number: 11 samples meet all of them.
-  constexpr std::size_t step = Sanitized ? 11 : 1;
+  constexpr std::array<std::size_t, 4> numbers{ 1, 2, 3, 8 };
+  constexpr std::size_t step = Sanitized ? numbers.size() : 1;
   std::size_t turn = 0;
   for (const auto& sample : MakeDividedSamples<Dim>())
   {
+    ++turn; // There are six limits: without this one, each would meet the same two numbers.
     for (const typename hashedoctree::Octree<Dim>::Options options :
       { typename hashedoctree::Octree<Dim>::Options{},
         { 3, hashedoctree::MortonKey<Dim>::MaxDepth }, { 1, 4 }, { 40, 2 }, { 1, 0 },
@@ -193,12 +195,9 @@ void ForEachDivision(const Function& function)
       {
         continue; // Nothing to divide.
       }
-      for (const std::size_t number : { 1, 2, 3, 8 })
+      for (std::size_t i = turn++ % step; i < numbers.size(); i += step)
       {
-        if (turn++ % step != 0)
-        {
-          continue;
-        }
+        const std::size_t number = numbers[i];
         SCOPED_TRACE(::testing::Message()
           << sample.Name << ", " << number << " builders, at most " << options.MaxPointsPerLeaf
           << " points down to " << options.MaxDepth);
