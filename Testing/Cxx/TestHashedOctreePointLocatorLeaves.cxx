@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "LeafNumbers.h"
+#include "MakePointTree.h"
 #include "PointSamples.h"
 #include "TestedLocator.h"
 
@@ -47,6 +49,19 @@ TEST(TestHashedOctreePointLocatorLeaves, WithoutPointsHaveNoNumber)
   const double outside[3] = { -5.0, -5.0, -5.0 };
   const double corner[3] = { 0.0, 0.0, 0.0 };
   EXPECT_EQ(locator->GetLeafId(outside), locator->GetLeafId(corner)) << "the nearest leaf";
+}
+
+TEST(TestHashedOctreePointLocatorLeaves, HaveNumbersWithinTheBytesOfTheIndex)
+{
+  using namespace hashedoctree;
+  const auto coordinates = MakeClusteredPoints<3, double>(3000, 192);
+  TestedLocator locator(MakePolyData(coordinates));
+  locator->SetMaxPointsPerLeaf(4);
+  locator->BuildLocator();
+  const auto tree = MakePointTree(PointSpan<3, double>{ coordinates.data(), 3000 }, 4);
+  const LeafNumbers<3> numbers(tree.GetOctree(), EmptyOctants::Missing);
+  EXPECT_EQ(
+    static_cast<std::size_t>(locator->GetIndexBytes()), tree.GetBytes() + numbers.GetBytes());
 }
 
 TEST(TestHashedOctreePointLocatorLeaves, OfOnePointAndOfNone)
