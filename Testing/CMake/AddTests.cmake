@@ -8,7 +8,7 @@ include(UnitOfTests)
 # hashedoctree_add_core_test(<name>): GoogleTest in Core/<name>.cxx, with no VTK linked.
 function (hashedoctree_add_core_test name)
   _hashedoctree_record("Core/${name}.cxx")
-  _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core HashedOctree::Core)
+  _hashedoctree_add_gtest("Core/${name}.cxx" core HashedOctree::Core)
 endfunction ()
 
 # hashedoctree_add_paper_test(<name>): GoogleTest in Core/<name>.cxx, of the paper's experiments. Not
@@ -16,7 +16,7 @@ endfunction ()
 function (hashedoctree_add_paper_test name)
   _hashedoctree_record("Core/${name}.cxx")
   if (NOT HASHEDOCTREE_SANITIZE)
-    _hashedoctree_add_gtest("${name}" "Core/${name}.cxx" core PaperExperiments)
+    _hashedoctree_add_gtest("Core/${name}.cxx" paper PaperExperiments)
   endif ()
 endfunction ()
 
@@ -28,8 +28,9 @@ function (hashedoctree_add_benchmark_test folder program)
   if (HASHEDOCTREE_SANITIZE OR (folder STREQUAL "Cxx" AND NOT HASHEDOCTREE_HAVE_VTK))
     return ()
   endif ()
-  _hashedoctree_add_gtest("${name}" "${folder}/${name}.cxx" benchmark)
+  _hashedoctree_add_gtest_program("${name}" "${folder}/${name}.cxx")
   add_dependencies("${name}" "${program}")
+  _hashedoctree_run_gtest("${name}" benchmark "${name}")
   list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator) # which ctest knows of, but not the test
   set_property(TEST "${name}" APPEND PROPERTY ENVIRONMENT "EMULATOR=${emulator}")
 endfunction ()
@@ -40,7 +41,7 @@ function (hashedoctree_add_vtk_test name)
   if (NOT HASHEDOCTREE_HAVE_VTK)
     return ()
   endif ()
-  _hashedoctree_add_gtest("${name}" "Cxx/${name}.cxx" vtk
+  _hashedoctree_add_gtest("Cxx/${name}.cxx" vtk
     HashedOctree::Filters HashedOctree::Core
     VTK::FiltersGeneral VTK::FiltersGeometry VTK::FiltersHyperTree VTK::FiltersPoints
     VTK::FiltersSources)
@@ -148,50 +149,33 @@ function (_hashedoctree_is_wanted result file)
   endif ()
 endfunction ()
 
-# GoogleTests in one file, in a program of their own; with a sanitizer in one of several files, see
-# hashedoctree_add_units().
-function (_hashedoctree_add_gtest name file label)
+# Adds the GoogleTests of one file to a group, whose programs hashedoctree_add_units() makes.
+function (_hashedoctree_add_gtest file group)
   _hashedoctree_is_wanted(wanted "${file}")
-  if (NOT wanted)
-    return ()
+  if (wanted)
+    set_property(GLOBAL APPEND PROPERTY "HASHEDOCTREE_TESTS_OF_${group}" "${file}")
+    set_property(GLOBAL PROPERTY "HASHEDOCTREE_LIBRARIES_OF_${group}" "${ARGN}")
   endif ()
-  if (HASHEDOCTREE_SANITIZE)
-    set_property(GLOBAL APPEND PROPERTY "HASHEDOCTREE_TESTS_OF_${label}" "${file}")
-    set_property(GLOBAL PROPERTY "HASHEDOCTREE_LIBRARIES_OF_${label}" "${ARGN}")
-    return ()
-  endif ()
-  _hashedoctree_add_gtest_program("${name}" "${file}" ${ARGN})
-  # Tests compile in two thirds of the time of -O3; the libraries that they link are as they ship.
-  target_compile_options("${name}" PRIVATE $<$<CONFIG:Release>:-O1>)
-  # A third of what is left goes to GoogleTest's header, which is read once for each label.
-  get_property(first GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_OF_${label}")
-  if (first)
-    target_precompile_headers("${name}" REUSE_FROM "${first}")
-  else ()
-    target_precompile_headers("${name}" PRIVATE <gtest/gtest.h>)
-    set_property(GLOBAL PROPERTY "HASHEDOCTREE_FIRST_TEST_OF_${label}" "${name}")
-  endif ()
-  _hashedoctree_run_gtest("${name}" "${label}" "${name}")
 endfunction ()
 
-# hashedoctree_add_units(): with a sanitizer, the programs of all GoogleTests that were added, eight
-# files to a program, which compile in two thirds of the time. Each file is still a test of its own.
+# hashedoctree_add_units(): the programs of all GoogleTests that were added, eight files to a program,
+# which compile in half the time. Each file is still a test of its own.
 function (hashedoctree_add_units)
   set(files_in_unit 8)
-  foreach (label core vtk)
-    get_property(files GLOBAL PROPERTY "HASHEDOCTREE_TESTS_OF_${label}")
-    get_property(libraries GLOBAL PROPERTY "HASHEDOCTREE_LIBRARIES_OF_${label}")
+  foreach (group core paper vtk)
+    get_property(files GLOBAL PROPERTY "HASHEDOCTREE_TESTS_OF_${group}")
+    get_property(libraries GLOBAL PROPERTY "HASHEDOCTREE_LIBRARIES_OF_${group}")
     set(number 0)
     while (files)
       list(SUBLIST files 0 ${files_in_unit} of_unit)
       list(REMOVE_ITEM files ${of_unit})
       math(EXPR number "${number} + 1")
-      _hashedoctree_add_unit("${label}_tests_${number}" "${label}" "${of_unit}" ${libraries})
+      _hashedoctree_add_unit("${group}_tests_${number}" "${group}" "${of_unit}" ${libraries})
     endwhile ()
   endforeach ()
 endfunction ()
 
-function (_hashedoctree_add_unit unit label files)
+function (_hashedoctree_add_unit unit group files)
   list(TRANSFORM files PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files}) # for new #includes
   make_unit_of_tests(source ${files})
@@ -208,7 +192,7 @@ function (_hashedoctree_add_unit unit label files)
     list(TRANSFORM suites REPLACE "^.*\\(([A-Za-z0-9]+).*" "\\1.*:\\1/*:*/\\1.*")
     list(REMOVE_DUPLICATES suites)
     list(JOIN suites ":" filter)
-    _hashedoctree_run_gtest("${name}" "${label}" "${unit}" "--gtest_filter=${filter}")
+    _hashedoctree_run_gtest("${name}" "${group}" "${unit}" "--gtest_filter=${filter}")
   endforeach ()
 endfunction ()
 
@@ -218,6 +202,8 @@ function (_hashedoctree_add_gtest_program program source)
     "${CMAKE_CURRENT_SOURCE_DIR}/Support" "${CMAKE_CURRENT_SOURCE_DIR}/Benchmarks")
   target_link_libraries("${program}" PRIVATE ${ARGN} GTest::gtest_main)
   hashedoctree_own_code("${program}")
+  # Tests compile in two thirds of the time of -O3; the libraries that they link are as they ship.
+  target_compile_options("${program}" PRIVATE $<$<CONFIG:Release>:-O1>)
   file(STRINGS "${source}" scarce REGEX "#include \"ScarceMemory\\.h\"")
   if (scarce)
     target_link_options("${program}" PRIVATE -Wl,--wrap=malloc,--wrap=calloc,--wrap=aligned_alloc)

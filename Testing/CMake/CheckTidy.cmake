@@ -1,25 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Fails when clang-tidy finds something in a C++ file of ours (never in code that VTK generates).
-# Nearly all of its time goes to headers, so that several files are read at a time, in units that are
-# made here. Sources of one folder must not have the same name for two things, in nameless namespaces
-# either; tests may.
+# Nearly all of its time goes to headers, so that several files are read at a time: tests in the units
+# that they are compiled in, others in units that are made here, so that sources of one folder must not
+# have the same name for two things, in nameless namespaces either.
 include("${CMAKE_CURRENT_LIST_DIR}/SkipOtherClang.cmake")
-include("${CMAKE_CURRENT_LIST_DIR}/UnitOfTests.cmake")
 find_program(CLANG_TIDY NAMES clang-tidy-14 clang-tidy REQUIRED) # Debian: clang-tidy
 find_program(RUN_CLANG_TIDY NAMES run-clang-tidy-14 run-clang-tidy REQUIRED)
 skip_other_clang("${CLANG_TIDY}")
 set(FILES_IN_UNIT 16)
 set(folder "${BINARY_DIR}/Testing/Tidy")
-
-# make_unit(<result> <file>...): of sources.
-function (make_unit result)
-  set(unit "")
-  foreach (file IN LISTS ARGN)
-    string(APPEND unit "#include \"${file}\" // NOLINT\n")
-  endforeach ()
-  set("${result}" "${unit}" PARENT_SCOPE)
-endfunction ()
 
 file(REMOVE_RECURSE "${folder}")
 file(COPY "${SOURCE_DIR}/.clang-tidy" DESTINATION "${folder}")
@@ -27,25 +17,23 @@ file(READ "${BINARY_DIR}/compile_commands.json" compilations)
 string(JSON last LENGTH "${compilations}")
 math(EXPR last "${last} - 1")
 
-# Tests of one room, and other files that are compiled in the same way, go together; but for fuzzers,
-# all of which define one function.
+# Files that are compiled in the same way go together; but for units of tests, and for fuzzers, all of
+# which define one function.
 set(groups "")
 foreach (i RANGE ${last})
   string(JSON compilation GET "${compilations}" ${i})
   string(JSON file GET "${compilation}" file)
   file(RELATIVE_PATH path "${SOURCE_DIR}" "${file}")
-  if (path MATCHES "^Testing/(Core|Cxx)/")
-    set(group "TestsOf${CMAKE_MATCH_1}")
+  file(RELATIVE_PATH made "${BINARY_DIR}" "${file}")
+  if (made MATCHES "^Testing/[a-z]+_tests_[0-9]+\\.cxx$" OR path MATCHES "^Testing/Fuzz/.*\\.cxx$")
+    set(group "${file}")
   elseif (path MATCHES "^(Filters|Testing)/.*\\.cxx$")
-    string(JSON command GET "${compilation}" command)
-    string(REGEX REPLACE " -o .*" "" command "${command}")
-    if (path MATCHES "^Testing/Fuzz/")
-      string(APPEND command "${path}")
-    endif ()
-    string(MD5 group "${command}")
+    string(JSON group GET "${compilation}" command)
+    string(REGEX REPLACE " -o .*" "" group "${group}")
   else ()
     continue()
   endif ()
+  string(MD5 group "${group}")
   list(APPEND groups "${group}")
   list(APPEND "files_${group}" "${file}")
   set("compilation_${group}" "${compilation}")
@@ -60,18 +48,12 @@ foreach (group IN LISTS groups)
   while (files_${group})
     list(SUBLIST "files_${group}" 0 ${FILES_IN_UNIT} files)
     list(REMOVE_ITEM "files_${group}" ${files})
-    if (group MATCHES "^TestsOf")
-      make_unit_of_tests(unit ${files})
-    else ()
-      make_unit(unit ${files})
-    endif ()
+    list(TRANSFORM files REPLACE "^.+$" "#include \"\\0\" // NOLINT\n" OUTPUT_VARIABLE unit)
+    list(JOIN unit "" unit)
     math(EXPR number "${number} + 1")
     set(file "${folder}/Unit${number}.cxx")
     file(WRITE "${file}" "${unit}")
     string(REPLACE "${example_${group}}" "${file}" compilation "${compilation_${group}}")
-    # Clang cannot read what GCC has precompiled.
-    string(REGEX REPLACE " -include (\\\\\"[^\"]*cmake_pch[^\"]*\\\\\"|[^ ]*cmake_pch[^ ]*)" ""
-      compilation "${compilation}")
     string(APPEND database "${separator}${compilation}")
     set(separator ",\n")
   endwhile ()
@@ -80,7 +62,6 @@ file(WRITE "${folder}/compile_commands.json" "[\n${database}\n]\n")
 
 execute_process(
   COMMAND "${RUN_CLANG_TIDY}" -quiet -j 2 -p "${folder}"
-    "-extra-arg=-I${SOURCE_DIR}/Testing/Core" "-extra-arg=-I${SOURCE_DIR}/Testing/Cxx"
   OUTPUT_VARIABLE output
   ERROR_VARIABLE  output
   RESULT_VARIABLE result)
