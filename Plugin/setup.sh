@@ -28,6 +28,7 @@ benchmark_packages=(libbenchmark-dev libnanoflann-dev python3-scipy)
 paraview_options=(HASHEDOCTREE_HOST:STRING=PARAVIEW Python3_EXECUTABLE:FILEPATH=/usr/bin/python3)
 vtk_options=(HASHEDOCTREE_HOST:STRING=VTK HASHEDOCTREE_PYTHON:STRING=OFF)
 sanitizer_options=(CMAKE_BUILD_TYPE:STRING=RelWithDebInfo
+  CMAKE_UNITY_BUILD:BOOL=ON # the libraries compile in two thirds of the time
   HASHEDOCTREE_PLUGIN:BOOL=OFF HASHEDOCTREE_PYTHON:STRING=OFF)
 address_options=(HASHEDOCTREE_SANITIZE:STRING=address,undefined
   'CMAKE_CXX_FLAGS_RELWITHDEBINFO:STRING=-Og -g1' # compiles in half the time

@@ -144,31 +144,15 @@ void AddSums(const PartialSums<Dim>& sums, Total<Dim>& total)
   }
 }
 
-/** What one of `count` searches examines in the mean, given what those in this part do. */
-template <int Dim, typename Numbers>
-std::vector<double> GetMeans(const TreePart<Dim>& part, const Numbers& examined,
-  std::size_t numberOfDepths, std::uint64_t count)
-{
-  std::vector<std::uint64_t> all(examined.begin(), examined.begin() + numberOfDepths);
-  part.AddUp(all);
-  std::vector<double> means(numberOfDepths, 0.0);
-  for (std::size_t depth = 0; count > 0 && depth < numberOfDepths; ++depth)
-  {
-    means[depth] = static_cast<double>(all[depth]) / static_cast<double>(count);
-  }
-  return means;
-}
-}
-
+/** Adds what the searches for all leaves of the part examine to the total, on several threads. */
 template <int Dim>
-MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
+void AddSearches(
+  const TreePart<Dim>& part, int lastStartDepth, const Execution& execution, Total<Dim>& total)
 {
   constexpr std::size_t chunkSize = 32; // Blocks, of up to 2^Dim leaves each.
   using Node = typename Octree<Dim>::Node;
   const Octree<Dim>& tree = part.GetTree();
-  const int lastStartDepth = std::max(part.GetDeepestDepth(), 1);
   const std::size_t numberOfBlocks = tree.GetNumberOfInternalNodes();
-  Total<Dim> total;
   const auto add = [&part](const Node& node, LeafSearches<Dim>& searches)
   {
     if (!node.Internal && part.Has(node.NodeKey))
@@ -190,6 +174,30 @@ MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
       }
       AddSums(searches.GetSums(), total);
     });
+}
+
+/** What one of `count` searches examines in the mean, given what those in this part do. */
+template <int Dim, typename Numbers>
+std::vector<double> GetMeans(const TreePart<Dim>& part, const Numbers& examined,
+  std::size_t numberOfDepths, std::uint64_t count)
+{
+  std::vector<std::uint64_t> all(examined.begin(), examined.begin() + numberOfDepths);
+  part.AddUp(all);
+  std::vector<double> means(numberOfDepths, 0.0);
+  for (std::size_t depth = 0; count > 0 && depth < numberOfDepths; ++depth)
+  {
+    means[depth] = static_cast<double>(all[depth]) / static_cast<double>(count);
+  }
+  return means;
+}
+}
+
+template <int Dim>
+MeasuredCost MeasureCost(const TreePart<Dim>& part, const Execution& execution)
+{
+  const int lastStartDepth = std::max(part.GetDeepestDepth(), 1);
+  Total<Dim> total;
+  AddSearches(part, lastStartDepth, execution, total);
 
   const auto numberOfDepths = static_cast<std::size_t>(lastStartDepth) + 1;
   const DepthCounts& counts = part.GetDepthCounts();
