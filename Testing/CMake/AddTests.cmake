@@ -181,8 +181,6 @@ function (_hashedoctree_add_unit unit group files)
   make_unit_of_tests(source ${files})
   file(CONFIGURE OUTPUT "${unit}.cxx" CONTENT "${source}" @ONLY)
   _hashedoctree_add_gtest_program("${unit}" "${CMAKE_CURRENT_BINARY_DIR}/${unit}.cxx" ${ARGN})
-  # Which does not know that the tests' nameless namespaces are included nowhere else.
-  target_compile_options("${unit}" PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   foreach (file IN LISTS files)
     get_filename_component(folder "${file}" DIRECTORY)
     target_include_directories("${unit}" PRIVATE "${folder}")
